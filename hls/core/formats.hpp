@@ -1,0 +1,66 @@
+// formats: the one table of fixed-point formats. Widths only, no arithmetic; every model and the RTL package take them from here.
+//
+//   format<Width, IntegerBits, Signed>: Width bits in all (the sign included), IntegerBits of them before the binary point,
+//   Width - IntegerBits after it. A value is raw * 2^-fraction.
+//
+// The error budget behind each width is in docs/error_budget.md; tests/core/error_budget.cpp holds it against these numbers.
+#pragma once
+#include <cstdint>
+
+namespace relievo {
+
+template <int Width, int IntegerBits, bool Signed>
+struct format {
+  static constexpr int width = Width;
+  static constexpr int integer_bits = IntegerBits;
+  static constexpr int fraction = Width - IntegerBits;
+  static constexpr bool is_signed = Signed;
+  static_assert(Width >= 1 && Width <= (Signed ? 64 : 63), "a word must fit int64_t");
+};
+
+// RELIEVO_FORMATS(X) calls X(name, width, integer bits, signed) for every named format.
+// clang-format off
+#define RELIEVO_FORMATS(X)                                                                                     \
+  /* geometry: the host scales a scene into [-8, 8) and back */                                                \
+  X(position,          24,   4, true)   /* world position, 20 fractional bits */                               \
+  X(height,            24,   4, true)   /* displacement along the normal, world units; also the bias */        \
+  X(unit,              16,   2, true)   /* component of a unit vector, 14 fractional bits: 1.0 is a value */   \
+  X(direction,         18,   4, true)   /* component of a vector about to be normalised, 14 fractional bits */ \
+  /* maps */                                                                                                   \
+  X(coordinate,        25,  14, false)  /* texture coordinate in texels, 11 fractional bits; 8192 is a value */\
+  X(map_size,          14,  14, false)  /* texels along an axis, 1..8192 */                                    \
+  X(texel,             16,  16, false)  /* stored displacement */                                              \
+  X(sample,            20,  16, false)  /* filtered displacement, 4 fractional bits */                         \
+  X(scale,             24, -12, true)   /* world units per sample, 36 fractional bits */                       \
+  X(gradient,          24,   2, true)   /* s/(2 du), s/(2 dv), 22 fractional bits */                           \
+  X(shift,              4,   4, false)  /* normal_shift e */                                                   \
+  X(table_sum,         40,  40, false)  /* summed-area table word, modulo 2^40 */                              \
+  X(rectangle_sum,     45,  41, false)  /* sum over a rectangle, 4 fractional bits once renormalised */        \
+  /* camera */                                                                                                 \
+  X(matrix_xy,         26,  12, true)   /* view matrix rows x, y, viewport folded in */                        \
+  X(matrix_w,          26,   2, true)   /* view matrix row w */                                                \
+  X(offset_xy,         52,  18, true)   /* their translation column, with the fraction of the sum (34) */      \
+  X(offset_w,          52,   8, true)   /* (44) */                                                             \
+  X(clip,              38,  18, true)   /* x and y before the division, 20 fractional bits */                  \
+  X(depth,             28,   8, false)  /* w, 20 fractional bits */                                            \
+  X(screen,            22,  14, true)   /* screen position in pixels, 8 sub-pixel bits */                      \
+  X(eye,               28,   8, true)   /* the eye's world position, 20 fractional bits */                     \
+  /* thresholds */                                                                                             \
+  X(normal_threshold,  16,   2, false)  /* difference of components of unit normals */                         \
+  X(sum_threshold,     44,  40, false)  /* summed height, sum mode: sample x texel */                          \
+  X(average_threshold, 20,  16, false)  /* summed height, average mode: sample */                              \
+  X(profile_threshold, 20,  16, false)  /* profile: sample */                                                  \
+  X(view_threshold,    24,  16, false)  /* Manhattan distance in pixels */                                     \
+  /* bookkeeping */                                                                                            \
+  X(generation,         4,   4, false)  /* generation of an edge, 0..15 */                                     \
+  X(weight,             5,   5, false)  /* place of a new vertex on its edge in sixteenths, 0..16; 8 is the middle */ \
+  X(index,             32,  32, false)  /* base triangle */
+// clang-format on
+
+namespace formats {
+#define RELIEVO_FORMAT(name, width, integer_bits, is_signed) using name = format<width, integer_bits, is_signed>;
+RELIEVO_FORMATS(RELIEVO_FORMAT)
+#undef RELIEVO_FORMAT
+}  // namespace formats
+
+}  // namespace relievo
