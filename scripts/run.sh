@@ -1,0 +1,15 @@
+#!/usr/bin/env bash
+# The main job: the Jacksboro terrain over 128 base triangles, golden and hls compared word for word; leaves
+# out/jacksboro.{obj,ply,png,json}. Installs and builds what is missing first. Further arguments go to relievo.
+set -euo pipefail
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+
+"$root/scripts/install.sh" run
+# The command line alone needs none of the tests' libraries; a build folder that has the tests keeps them.
+tests=OFF
+grep -qs '^RELIEVO_TESTS:BOOL=ON' "$root/build/CMakeCache.txt" && tests=ON
+RELIEVO_TESTS=$tests "$root/scripts/build.sh" release relievo
+
+mkdir -p "$root/out"
+"$root/build/relievo" compare --models golden,hls --mesh plane:8 --displacement "$root/tests/data/jacksboro_403x344.png" \
+  --sample-range 236,1076 -o "$root/out/jacksboro.obj" --report "$root/out/jacksboro.json" --image "$root/out/jacksboro.png" "$@"
