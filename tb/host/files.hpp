@@ -1,0 +1,18 @@
+// files: whole files in and out. Every reader and writer of the host goes through these two.
+//
+//   read_bytes(path)          the file's bytes; input_error when it is missing, unreadable, no file, empty or above 4 GiB
+//   write_bytes(path, bytes)  writes a temporary file beside `path` and renames it at the end, so that a partial file never
+//                             stands under the final name; input_error when that cannot be done
+#pragma once
+#include <string>
+#include <string_view>
+
+namespace relievo::tb {
+
+std::string read_bytes(std::string const& path);
+void write_bytes(std::string const& path, std::string_view bytes);
+
+// The part of `path` after its last dot, in lower case; empty when there is none.
+std::string extension_of(std::string const& path);
+
+}  // namespace relievo::tb
