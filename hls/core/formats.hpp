@@ -28,6 +28,7 @@ struct format {
   X(direction,         18,   4, true)   /* component of a vector about to be normalised, 14 fractional bits */ \
   /* maps */                                                                                                   \
   X(coordinate,        25,  14, false)  /* texture coordinate in texels, 11 fractional bits; 8192 is a value */\
+  X(fraction, 11, 0, false)             /* place between two texels */                                              \
   X(map_size,          14,  14, false)  /* texels along an axis, 1..8192 */                                    \
   X(texel,             16,  16, false)  /* stored displacement */                                              \
   X(sample,            20,  16, false)  /* filtered displacement, 4 fractional bits */                         \
@@ -36,6 +37,8 @@ struct format {
   X(shift,              4,   4, false)  /* normal_shift e */                                                   \
   X(table_sum,         40,  40, false)  /* summed-area table word, modulo 2^40 */                              \
   X(rectangle_sum,     45,  41, false)  /* sum over a rectangle, 4 fractional bits once renormalised */        \
+  X(bound, 16, 16, true)                /* bound of a rectangle in texels, it may stick out of the map */             \
+  X(area, 25, 25, false)                /* texels in a rectangle, 4096 x 4096 at most */                            \
   /* camera */                                                                                                 \
   X(matrix_xy,         26,  12, true)   /* view matrix rows x, y, viewport folded in */                        \
   X(matrix_w,          26,   2, true)   /* view matrix row w */                                                \

@@ -1,0 +1,123 @@
+// normal_map: builds the map of normals from a stream of texels, one texel a clock, for one scale of the displacement.
+//   n = normalize(-dD/du s, -dD/dv s, 1)                      Doggett & Hirche 2000, 2.1 and 5.1 (rebuilt for each s)
+//   in    texels row by row from v = 0, x fastest; then flush_rows() * width steps without one
+//   regs  gradient_u = s/(2 du), gradient_v = s/(2 dv), both times 2^-normal_shift; normal_shift e keeps steep maps in range
+//   out   x, y       address of the texel: when v wraps, rows 0 and H-1 need each other and come last (H-1, then 0)
+//         n          unit[3]
+//         saturated  a slope beyond the direction format;  zero  never (the third component is not 0)
+//   Central differences, indices modulo W or H on a wrapped axis; at a clamped border one-sided, twice the difference; a clamped
+//   axis of one texel has slope 0.
+//   registers: s1_direction (direction), n (unit); initiation interval 1
+//   state two lines, and two more that keep rows 0 and 1 for a wrapped v
+#pragma once
+#include "hls/core/normalize.hpp"
+#include "hls/surface/map_regs.hpp"
+
+namespace relievo {
+namespace hls {
+
+struct normal_map_regs {
+  fixed<formats::gradient> gradient_u;
+  fixed<formats::gradient> gradient_v;
+  fixed<formats::shift> normal_shift;
+  RELIEVO_FIELDS(gradient_u, gradient_v, normal_shift)
+};
+struct normal_map_out {
+  fixed<formats::map_size> x, y;
+  fixed<formats::unit> n[3];
+  bool saturated;
+  bool zero;
+  RELIEVO_FIELDS(x, y, n, saturated, zero)
+};
+
+template <int MaxWidth = 8192>
+class normal_map {
+ public:
+  // Rows that come out after the last texel went in.
+  static int flush_rows(map_regs const& map) { return map.wrap_v && raw(map.height) > 1 ? 2 : 1; }
+
+  // One clock. Returns whether out is valid. While the map is read, texel is the next one; afterwards it is ignored.
+  bool step(fixed<formats::texel> texel, map_regs const& map, normal_map_regs const& regs, normal_map_out& out) {
+    const std::int32_t width = static_cast<std::int32_t>(raw(map.width)), height = static_cast<std::int32_t>(raw(map.height));
+    const bool reading = y_ < height;
+    texel_type(&older)[MaxWidth] = line_[y_ & 1];
+    texel_type(&newer)[MaxWidth] = line_[(y_ & 1) ^ 1];
+    bool valid = false;
+    if (reading) {
+      // Row y-1 lies complete in newer; older holds row y-2 from here on and row y up to here.
+      if (y_ >= 1 && !(map.wrap_v && y_ == 1)) {
+        out = texel_normal(newer, older[x_], texel, y_ == 1, false, y_ - 1, map, regs);
+        valid = true;
+      }
+      older[x_] = texel;
+      if (y_ == 0) first_[0][x_] = texel;
+      if (y_ == 1) first_[1][x_] = texel;
+    } else if (y_ == height) {
+      // The last row; at a clamped border it has nothing below, on a wrapped axis row 0.
+      out = texel_normal(newer, older[x_], first_[0][x_], false, !map.wrap_v, height - 1, map, regs);
+      valid = true;
+    } else {
+      // Row 0 of a wrapped axis: above it the last row, which lies in older by now.
+      out = texel_normal(first_[0], older[x_], first_[1][x_], false, false, 0, map, regs);
+      valid = true;
+    }
+    advance(width, height, map);
+    return valid;
+  }
+
+ private:
+  using texel_type = fixed<formats::texel>;
+  using delta_type = format<18, 18, true>;
+
+  // What a difference of neighbours counts: twice at a clamped border, where it is one-sided.
+  static fixed<delta_type> delta(texel_type ahead, texel_type behind, bool one_sided) {
+    const auto d = ahead - behind;
+    return one_sided ? exact_to<delta_type>(times_two_to<1>(d)) : exact_to<delta_type>(d);
+  }
+
+  normal_map_out texel_normal(texel_type const (&row)[MaxWidth], texel_type below, texel_type above, bool first, bool last, std::int32_t y,
+                              map_regs const& map, normal_map_regs const& regs) const {
+    const std::int32_t width = static_cast<std::int32_t>(raw(map.width));
+    const bool left_border = x_ == 0 && !map.wrap_u, right_border = x_ == width - 1 && !map.wrap_u;
+    const texel_type here = row[x_];
+    const texel_type west = x_ > 0 ? row[x_ - 1] : map.wrap_u ? row[width - 1] : here;
+    const texel_type east = x_ < width - 1 ? row[x_ + 1] : map.wrap_u ? row[0] : here;
+    const bool single = raw(map.height) == 1;
+    const texel_type south = first || single ? here : below;
+    const texel_type north = last || single ? here : above;
+    const auto s0_delta_u = delta(east, west, left_border || right_border);
+    const auto s0_delta_v = delta(north, south, first || last);
+
+    normal_map_out out;
+    out.x = from_raw<formats::map_size>(x_);
+    out.y = from_raw<formats::map_size>(y);
+    out.saturated = false;
+    normalize_in s1_direction;
+    s1_direction.v[0] = round_to<formats::direction>(-(regs.gradient_u * s0_delta_u), out.saturated);
+    s1_direction.v[1] = round_to<formats::direction>(-(regs.gradient_v * s0_delta_v), out.saturated);
+    // 2^-normal_shift, rounded like every register.
+    s1_direction.v[2] =
+        from_raw<formats::direction>((((std::int64_t(2) << formats::direction::fraction) >> raw(regs.normal_shift)) + 1) >> 1);
+    const normalize_out s2_unit = normalize(s1_direction, zero_vector::normal);
+    for (int i = 0; i < 3; ++i) out.n[i] = s2_unit.n[i];
+    out.zero = s2_unit.zero;
+    return out;
+  }
+
+  void advance(std::int32_t width, std::int32_t height, map_regs const& map) {
+    ++x_;
+    if (x_ == width) {
+      x_ = 0;
+      ++y_;
+      if (y_ == height + flush_rows(map)) y_ = 0;
+    }
+  }
+
+  texel_type line_[2][MaxWidth];
+  texel_type first_[2][MaxWidth];
+  std::int32_t x_ = 0;
+  std::int32_t y_ = 0;
+};
+
+}  // namespace hls
+}  // namespace relievo
