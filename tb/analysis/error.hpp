@@ -32,12 +32,12 @@ struct height_map {
   double range_high = 65535.0;  // what sample 65535 stands for
 };
 
-struct base_vertex {
+struct base_corner {
   glm::dvec3 p{0.0};
   glm::dvec3 n{0.0};
   glm::dvec2 u{0.0};
 };
-using base_triangle = std::array<base_vertex, 3>;
+using base_corners = std::array<base_corner, 3>;
 
 struct error_figures {
   double max = 0.0;
@@ -56,10 +56,10 @@ struct error_report {
   int worst_y = 0;
 };
 
-error_report measure_error(surface const& displaced, std::vector<base_triangle> const& base, height_map const& map);
+error_report measure_error(surface const& displaced, std::vector<base_corners> const& base, height_map const& map);
 
 // True when measure_error would measure along the normal.
-bool is_planar(std::vector<base_triangle> const& base);
+bool measures_along_normal(std::vector<base_corners> const& base);
 
 // The yardstick: a regular grid of columns x rows cells over the whole map, each cut along the same diagonal, heights bilinear
 // in the map, cells as square and the number of triangles as near to the wanted one as integers allow.

@@ -25,10 +25,10 @@ class progress {
 
   void advance(std::uint64_t steps = 1) { set(done_ + steps); }
 
-  // A clock reading costs more than most steps do, so only every 1024th call looks at it.
+  // A clock reading costs more than most steps do, so only every 16th call looks at it.
   void set(std::uint64_t done) {
     done_ = done;
-    if (!terminal_ || (++calls_ & 1023u) != 0) return;
+    if (!terminal_ || (++calls_ & 15u) != 0) return;
     draw();
   }
 
@@ -46,7 +46,8 @@ class progress {
       constexpr int width = 40;
       const double part = done_ >= total_ ? 1.0 : static_cast<double>(done_) / static_cast<double>(total_);
       const int filled = static_cast<int>(part * width);
-      const std::string bar = std::string(static_cast<std::size_t>(filled), '#') + std::string(static_cast<std::size_t>(width - filled), '.');
+      const std::string bar =
+          std::string(static_cast<std::size_t>(filled), '#') + std::string(static_cast<std::size_t>(width - filled), '.');
       std::fprintf(stderr, "\r\x1b[K%s [%s] %3d %%", label_.c_str(), bar.c_str(), static_cast<int>(part * 100.0));
     }
     std::fflush(stderr);
