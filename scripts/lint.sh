@@ -1,0 +1,41 @@
+#!/usr/bin/env bash
+# The gates on the source: scripts/lint.sh [gate [argument]...], all of them when none is named. Each prints what it refuses.
+#   format          clang-format, as .clang-format says           [FILE]...
+#   includes        who may include what; words of the kernels    [--root FOLDER]
+#   mirror          the same unit under the same path             [--root FOLDER]
+#   synthesizable   every entry point is a circuit                [FILE]...
+#   tidy            clang-tidy, as .clang-tidy says               [FILE]...; else all that ${RELIEVO_BUILD:-build} compiles
+# shellcheck disable=SC2317  # the gates are called by name
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+gate_format() {
+  local files=("$@")
+  if ((!$#)); then
+    mapfile -t files < <(find hls golden tb tests \( -name '*.hpp' -o -name '*.cpp' \) -not -path 'tests/mutants/format/*' | sort)
+  fi
+  clang-format --dry-run -Werror "${files[@]}" 2>&1
+}
+gate_includes() { python3 scripts/lint/includes.py "$@"; }
+gate_mirror() { python3 scripts/lint/mirror.py "$@"; }
+gate_synthesizable() { python3 scripts/lint/synthesizable.py --list "$@"; }
+gate_tidy() {
+  if (($#)); then
+    clang-tidy --quiet "$@" -- -std=c++17 -I. 2>/dev/null
+  else
+    python3 scripts/lint/tidy.py "${RELIEVO_BUILD:-build}"
+  fi
+}
+
+if (($#)); then
+  "gate_$1" "${@:2}"
+  exit
+fi
+status=0
+for gate in format includes mirror synthesizable tidy; do
+  if "gate_$gate"; then echo "lint: $gate clean"; else
+    echo "lint: $gate FAILED"
+    status=1
+  fi
+done
+exit "$status"

@@ -1,0 +1,234 @@
+#!/usr/bin/env python3
+"""Is every entry point a circuit? Judged on LLVM IR, without a vendor's tool.
+
+Each file is compiled as C++14, freestanding, with RELIEVO_SYNTHESIS and RELIEVO_LINT, no exceptions, no RTTI. Before any
+optimisation these are refused:
+  float                   a floating-point type, constant or instruction
+  heap                    new, delete, malloc and their kin
+  recursion               a circle in the call graph
+  indirect call           a call through a pointer
+  virtual call            a table of virtual functions
+  unresolved external     a function or an object that no header of ours defines
+  exception, rtti         throw, try, typeid, dynamic_cast
+  wide integer            more than 64 bits
+  dynamic stack           an array whose size is not constant
+  dynamic initialisation  a global that needs code before the entry point
+  inline assembly
+Then everything is inlined into the entry points and scalar evolution bounds the loops:
+  unbounded loop          no constant largest count, or one above LARGEST_COUNT (which only says how wide the counter is);
+                          a loop that holds RELIEVO_STREAMING_LOOP("why") is exempt
+
+usage: synthesizable.py [--include FOLDER] [--list] FILE.cpp...     default: hls/top/*.cpp
+"""
+
+import argparse
+import re
+import shutil
+import subprocess
+import sys
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+from llvm_ir import Module, types_only
+from source import Findings, project_root
+
+LARGEST_COUNT = 1 << 16
+MARKER = "relievo_streaming_loop"
+FLOAT = re.compile(r"\b(half|bfloat|float|double|x86_fp80|fp128|ppc_fp128)\b")
+WIDE = re.compile(r"\bi(\d+)\b")
+HEAP = re.compile(r"^(_Zn[wa]|_Zd[la]|malloc$|calloc$|realloc$|free$|aligned_alloc$|posix_memalign$|strdup$)")
+COMPILE = "-std=c++14 -ffreestanding -fno-exceptions -fno-rtti -DRELIEVO_SYNTHESIS -DRELIEVO_LINT -O1 -fno-finite-loops"
+TO_IR = "-Xclang -disable-llvm-passes -fno-discard-value-names -gline-tables-only -S -emit-llvm -o -"
+PASSES = (
+    "cgscc(inline),globaldce,function(sroa,early-cse,simplifycfg,instcombine,loop-simplify,lcssa,"
+    "loop(loop-rotate),instcombine,simplifycfg,loop-simplify,lcssa,loop(indvars),print<loops>,print<scalar-evolution>)"
+)
+
+
+def tool(name):
+    for candidate in (f"{name}-14", name):
+        if shutil.which(candidate):
+            return candidate
+    sys.exit(f"synthesizable.py: {name} (LLVM 14) is not on PATH")
+
+
+class Checker:
+    def __init__(self, include, findings):
+        self.include = include
+        self.findings = findings
+        self.clang = tool("clang++")
+        self.opt = tool("opt")
+        self.streaming = []
+
+    def check(self, path):
+        command = [self.clang, *COMPILE.split(), *TO_IR.split(), f"-I{self.include}", str(path)]
+        compiled = subprocess.run(command, capture_output=True, text=True, check=False)
+        if compiled.returncode:
+            self.refused(path, compiled.stderr)
+            return
+        module = Module(compiled.stdout)
+        before = len(self.findings.rows)
+        self.globals(path, module)
+        for function in module.functions.values():
+            self.types(path, module, function)
+            self.calls(path, module, function)
+        for group in module.strongly_connected():
+            where = module.place(module.functions[group[0]].head) or path
+            self.findings.add(where, "recursion", " -> ".join(group))
+        # A circle or an unknown callee can't be inlined away; its own finding says more than the loops behind it.
+        if len(self.findings.rows) == before:
+            self.loops(path, module, compiled.stdout)
+
+    def refused(self, path, messages):
+        for line in messages.split("\n"):
+            match = re.match(r"(\S+?:\d+):\d+: (?:fatal )?error: (.*)", line)
+            if not match:
+                continue
+            place, message = match.groups()
+            kind = "does not compile"
+            if "exceptions disabled" in message:
+                kind = "exception"
+            elif "rtti" in message.lower():
+                kind = "rtti"
+            self.findings.add(place, kind, message)
+        if "error:" not in messages:
+            self.findings.add(path, "does not compile", messages.strip())
+
+    def globals(self, path, module):
+        for line in module.globals:
+            name = line.split(" ", 1)[0]
+            if name.startswith("@_ZTV"):
+                self.findings.add(path, "virtual call", f"{name} is a table of virtual functions")
+            elif name == "@llvm.global_ctors":
+                self.findings.add(path, "dynamic initialisation", "an object outside of the entry point needs code to be initialised")
+            elif re.search(r"= (?:dso_local )?external\b", line):
+                self.findings.add(path, "unresolved external", name)
+            if FLOAT.search(types_only(line)):
+                self.findings.add(path, "float", f"{name} is a floating-point object")
+
+    def types(self, path, module, function):
+        for line in [function.head, *function.lines]:
+            bare = types_only(line)
+            place = module.place(line) or module.place(function.head) or path
+            if FLOAT.search(bare):
+                self.findings.add(place, "float", FLOAT.search(bare).group(0))
+            if any(int(width) > 64 for width in WIDE.findall(bare)):
+                self.findings.add(place, "wide integer", "more than 64 bits")
+            if re.search(r"= alloca\b.*, i\d+ %", line):
+                self.findings.add(place, "dynamic stack", "an array whose size is not constant")
+
+    def calls(self, path, module, function):
+        for callee, line in function.calls():
+            place = module.place(line) or path
+            if callee is None:
+                self.findings.add(place, "indirect call", "through a pointer")
+            elif callee == "asm":
+                self.findings.add(place, "inline assembly", "")
+            elif HEAP.match(callee):
+                self.findings.add(place, "heap", callee)
+            elif callee.startswith("llvm.mem"):
+                if not re.search(r", i\d+ \d+, i1 ", line):
+                    self.findings.add(place, "unbounded loop", f"{callee} of a size that is not constant")
+            elif callee not in module.functions and not callee.startswith("llvm.") and callee != MARKER:
+                self.findings.add(place, "unresolved external", callee)
+
+    def loops(self, path, module, text):
+        entries = [f.name for f in module.functions.values() if not re.search(r"\b(linkonce|internal|private|available)", f.linkage)]
+        if not entries:
+            self.findings.add(path, "no entry point", "a kernel has one function of external linkage")
+            return
+        command = [
+            self.opt,
+            "-S",
+            f"-passes=internalize,{PASSES}",
+            f"-internalize-public-api-list={','.join(entries)}",
+            "-inline-threshold=1000000",
+            "-inlinehint-threshold=1000000",
+            "-disable-loop-unrolling",
+        ]
+        run = subprocess.run(command, input=text, capture_output=True, text=True, check=False)
+        if run.returncode:
+            self.findings.add(path, "does not compile", f"opt: {run.stderr.strip()[:200]}")
+            return
+        inlined = Module(run.stdout)
+        for name, report in split_reports(run.stderr):
+            function = inlined.functions.get(name)
+            if function:
+                self.function_loops(path, inlined, function, report)
+
+    def function_loops(self, path, module, function, report):
+        blocks = function.blocks()
+        exempt = {}
+        members = innermost(report["loops"])
+        for block, lines in blocks.items():
+            for line in lines:
+                if f"@{MARKER}(" in line and block in members:
+                    exempt[members[block]] = module.place(line) or str(path)
+        for header, count in report["counts"].items():
+            if count is not None and count < LARGEST_COUNT:
+                continue
+            if header in exempt:
+                self.streaming.append(f"{exempt[header]}: streaming loop of {path.name}")
+                continue
+            lines = blocks.get(header, [])
+            place = next((p for p in map(module.place, lines) if p), path)
+            what = "no constant bound" if count is None else f"{count} turns are only the width of its counter"
+            self.findings.add(place, "unbounded loop", f"{what} (in {function.name})")
+
+
+def split_reports(text):
+    """(function, {"loops": [(depth, [blocks])], "counts": {header: largest count or None}}) from opt's printed analyses."""
+    reports = {}
+    name = None
+    # The loops of a function are printed before its name is, their counts after it.
+    loops = []
+    for line in text.split("\n"):
+        match = re.match(r"\s*(?:Parallel )?Loop at depth (\d+) containing: (.*)", line)
+        if match:
+            blocks = [re.sub(r"<\w+>", "", b).strip().lstrip("%").strip('"') for b in match.group(2).split(",")]
+            loops.append((int(match.group(1)), blocks))
+            continue
+        match = re.match(r"Determining loop execution counts for: @(.*)", line)
+        if match:
+            name = match.group(1).strip('"')
+            reports[name] = {"loops": loops, "counts": {}}
+            loops = []
+            continue
+        if name is None:
+            continue
+        match = re.match(r"Loop %(.*?): .*max backedge-taken count(?: is (.*)|\.)", line)
+        if match and "Predicted" not in line:
+            header = match.group(1).strip('"')
+            value = match.group(2)
+            number = int(value) if value and re.fullmatch(r"-?\d+", value.strip()) else None
+            reports[name]["counts"][header] = None if number is None or number < 0 else number
+    return reports.items()
+
+
+def innermost(loops):
+    """block -> header of the innermost loop that holds it"""
+    owner = {}
+    for _, blocks in sorted(loops, key=lambda entry: entry[0]):
+        for block in blocks:
+            owner[block] = blocks[0]
+    return owner
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--include", type=Path, default=project_root())
+    parser.add_argument("--list", action="store_true", help="print the streaming loops too")
+    parser.add_argument("files", type=Path, nargs="*")
+    arguments = parser.parse_args()
+    files = arguments.files or sorted((project_root() / "hls/top").glob("*.cpp"))
+    findings = Findings("synthesizability")
+    checker = Checker(arguments.include, findings)
+    with ThreadPoolExecutor(2) as pool:
+        list(pool.map(checker.check, files))
+    if arguments.list:
+        print("\n".join(sorted(set(checker.streaming))))
+    return findings.finish(f"{len(files)} entry points, {len(set(checker.streaming))} streaming loops")
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,4 @@
+// rejected: layer
+// One engine knows another.
+#pragma once
+#include "hls/sweep/engine.hpp"

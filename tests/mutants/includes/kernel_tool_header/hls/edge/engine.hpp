@@ -1,0 +1,4 @@
+// rejected: include
+// A kernel that knows one tool's types.
+#pragma once
+#include <ap_fixed.h>

@@ -1,0 +1,3 @@
+// rejected: mirror
+// Arithmetic without a test.
+#pragma once

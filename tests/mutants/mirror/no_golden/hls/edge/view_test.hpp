@@ -1,0 +1,3 @@
+// rejected: mirror
+// A kernel without a definition.
+#pragma once

@@ -1,0 +1,3 @@
+// rejected: mirror
+// A definition without a kernel.
+#pragma once

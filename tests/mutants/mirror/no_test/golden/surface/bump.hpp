@@ -1,0 +1,2 @@
+// The definition is there.
+#pragma once

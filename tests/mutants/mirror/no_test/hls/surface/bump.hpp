@@ -1,0 +1,3 @@
+// rejected: mirror
+// A kernel and its definition without a test.
+#pragma once

@@ -1,0 +1,2 @@
+// On the wrong floor.
+#pragma once

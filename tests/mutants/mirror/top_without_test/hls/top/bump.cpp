@@ -1,0 +1,2 @@
+// rejected: mirror
+// An entry point without a test.
