@@ -45,9 +45,13 @@ struct walker {
   }
 
   template <class F>
-  void visit(hls::fixed<F>& x) { leaf(path, x); }
+  void visit(hls::fixed<F>& x) {
+    leaf(path, x);
+  }
   template <class F>
-  void visit(hls::fixed<F> const& x) { leaf(path, x); }
+  void visit(hls::fixed<F> const& x) {
+    leaf(path, x);
+  }
   void visit(bool& x) { leaf(path, x); }
   void visit(bool const& x) { leaf(path, x); }
   void visit(double& x) { leaf(path, x); }

@@ -1,0 +1,163 @@
+#include "tb/model/model.hpp"
+
+#include <algorithm>
+#include <chrono>
+
+#include "golden/core/rounding.hpp"
+#include "golden/edge/engine.hpp"
+#include "hls/edge/engine.hpp"
+#include "tb/host/input_error.hpp"
+#include "tb/model/hls_maps.hpp"
+#include "tb/model/words.hpp"
+
+namespace relievo::tb {
+
+namespace {
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+template <class Rounding>
+class golden_model : public model {
+ public:
+  explicit golden_model(scene const& sc) : scene_(sc) {
+    if (sc.regs.pass.use_sht) table_ = golden::summed_area_table(sc.map.texels.data(), sc.map.width, sc.map.height);
+  }
+
+  golden::counters run(run_hooks const& hooks) override {
+    golden::memories memories;
+    memories.texels = scene_.map.texels.data();
+    memories.table = table_.empty() ? nullptr : table_.data();
+    memories.normal_map = scene_.normal_map;
+    golden::engine<Rounding> engine(scene_.regs, memories, queue_depth);
+    std::size_t begun = 0;
+    const auto next = [&](golden::triangle& t) {
+      if (begun == scene_.triangles.size()) return false;
+      t = scene_.triangles[begun++];
+      if (hooks.progress) hooks.progress(begun);
+      return true;
+    };
+    const auto out = [&](golden::triangle_out const& t) {
+      if (hooks.out) hooks.out(t);
+    };
+    if (!hooks.traced) return engine.run(next, out);
+    return engine.run(next, out, [&](golden::edge_trace const& trace) { hooks.traced(trace); });
+  }
+
+ private:
+  scene const& scene_;
+  std::vector<std::uint64_t> table_;
+};
+
+class hls_model : public model {
+ public:
+  explicit hls_model(scene const& sc) : engine_(std::make_unique<hls::engine<queue_depth>>()), texels_(sc.map.texels.data()) {
+    if (sc.regs.pass.use_sht) table_ = build_summed_area_table(sc);
+    built_normals normals = build_normal_map(sc);
+    normals_ = std::move(normals.words);
+    map_saturations_ = normals.saturations;
+    bool exact = to_hls(sc.regs, regs_);
+    base_.reserve(sc.triangles.size());
+    for (golden::triangle const& t : sc.triangles) {
+      base_.emplace_back();
+      exact = to_hls(t, base_.back()) && exact;
+    }
+    if (!exact) throw std::logic_error("a register or a base triangle of the scene is not quantised to its format");
+  }
+
+  golden::counters run(run_hooks const& hooks) override {
+    const hls::engine_memories memories = {{texels_}, {table_.empty() ? nullptr : table_.data()}, {normals_.data()}};
+    hls::stream<hls::triangle, 2> in("base triangles");
+    hls::stream<hls::triangle_out, 2> out("output triangles");
+    golden::triangle_out converted;
+    std::size_t begun = 0;
+    engine_->start();
+    while (!engine_->done()) {
+      if (engine_->wants_input() && in.empty() && begun < base_.size()) {
+        in.write(base_[begun++]);
+        if (hooks.progress) hooks.progress(begun);
+      }
+      engine_->step(in, out, regs_, memories);
+      while (!out.empty()) {
+        const hls::triangle_out t = out.read();
+        if (!hooks.out) continue;
+        to_golden(t, converted);
+        hooks.out(converted);
+      }
+    }
+    golden::counters counts;
+    copy_counters(engine_->counts(), counts);
+    counts.saturations += map_saturations_;
+    return counts;
+  }
+
+ private:
+  // Same fields in the same order.
+  static void copy_counters(hls::counters const& from, golden::counters& to) {
+    std::vector<std::uint64_t> values;
+    const auto gather = [&](char const*, auto const& x) {
+      if constexpr (std::is_array_v<std::remove_reference_t<decltype(x)>>)
+        values.insert(values.end(), std::begin(x), std::end(x));
+      else
+        values.push_back(x);
+    };
+    from.each_field(gather);
+    std::size_t i = 0;
+    to.each_field([&](char const*, auto& x) {
+      if constexpr (std::is_array_v<std::remove_reference_t<decltype(x)>>) {
+        for (auto& e : x) e = values[i++];
+      } else {
+        x = values[i++];
+      }
+    });
+  }
+
+  std::unique_ptr<hls::engine<queue_depth>> engine_;
+  std::uint16_t const* texels_;
+  std::vector<std::uint64_t> table_, normals_;
+  std::uint64_t map_saturations_ = 0;
+  hls::engine_regs regs_;
+  std::vector<hls::triangle> base_;
+};
+
+}  // namespace
+
+std::vector<std::string> const& model_names() {
+  static const std::vector<std::string> names = {"ideal", "golden", "hls"};
+  return names;
+}
+
+std::unique_ptr<model> make_model(std::string const& name, scene const& sc) {
+  if (name == "ideal") return std::make_unique<golden_model<golden::exact>>(sc);
+  if (name == "golden") return std::make_unique<golden_model<golden::rounded>>(sc);
+  if (name == "hls") return std::make_unique<hls_model>(sc);
+  throw input_error("--model: '" + name + "' is no model; known are ideal, golden, hls");
+}
+
+run_result run_model(std::string const& name, scene const& sc, run_hooks hooks) {
+  run_result result;
+  const std::unique_ptr<model> m = make_model(name, sc);
+  hooks.out = [&result](golden::triangle_out const& t) {
+    if (!t.empty) result.triangles.push_back(t);
+  };
+  const auto start = std::chrono::steady_clock::now();
+  result.counts = m->run(hooks);
+  result.seconds = seconds_since(start);
+  return result;
+}
+
+double edge_tests_per_second(model& m) {
+  double best = 0.0;
+  double spent = 0.0;
+  for (int i = 0; i < 20 && (i < 3 || spent < 0.2); ++i) {
+    const auto start = std::chrono::steady_clock::now();
+    const golden::counters counts = m.run({});
+    const double seconds = seconds_since(start);
+    spent += seconds;
+    best = std::max(best, static_cast<double>(counts.edge_tests) / seconds);
+  }
+  return best;
+}
+
+}  // namespace relievo::tb

@@ -1,0 +1,52 @@
+// model: one face for all models of an engine: a scene goes in, output triangles and counters come out.
+//
+//   ideal   golden formulas, no rounding
+//   golden  golden formulas, rounded at the named registers
+//   hls     the synthesizable C++, its maps built by its own streaming builders
+//
+// Every model puts out golden::triangle_out, in engine units; golden and hls hold words exactly, so that equal words are equal doubles.
+// barycentric weights and path are filled in by ideal and golden alone.
+#pragma once
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "golden/edge/counters.hpp"
+#include "golden/edge/edge_trace.hpp"
+#include "golden/edge/triangle.hpp"
+#include "tb/host/scene.hpp"
+
+namespace relievo::tb {
+
+struct run_hooks {
+  std::function<void(golden::triangle_out const&)> out;   // every output triangle; empty: none is converted or kept
+  std::function<void(golden::edge_trace const&)> traced;  // every tested edge (ideal and golden only)
+  std::function<void(std::size_t)> progress;              // base triangles begun so far
+};
+
+class model {
+ public:
+  virtual ~model() = default;
+  virtual golden::counters run(run_hooks const& hooks) = 0;
+};
+
+// A model with the scene's maps built and ready to run, any number of times. The scene must outlive it.
+// input_error for an unknown name; its line lists the known ones.
+std::unique_ptr<model> make_model(std::string const& name, scene const& sc);
+std::vector<std::string> const& model_names();
+
+// Room in every model's triangle queue: enough for the paper's FIFO mode on a few thousand base triangles without a fallback.
+constexpr int queue_depth = 8192;
+
+struct run_result {
+  golden::counters counts;
+  std::vector<golden::triangle_out> triangles;  // without the empty record
+  double seconds = 0.0;                         // of a run that keeps its output
+};
+run_result run_model(std::string const& name, scene const& sc, run_hooks hooks = {});
+
+// Edge tests per second of a model on a scene: the best of several runs that convert and keep nothing.
+double edge_tests_per_second(model& m);
+
+}  // namespace relievo::tb
