@@ -5,7 +5,7 @@
 //     fixed<formats::position> p[3];
 //     RELIEVO_FIELDS(p)
 //   };
-//   record.each_field(visitor) calls visitor("p", record.p).
+//   record.each_field(visitor) calls visitor("p", record.p); field_list(visitor), never called, has the type of visitor(p).
 #pragma once
 
 // One macro per number of fields keeps this C++14 without a preprocessor library.
@@ -70,4 +70,6 @@
   template <class Visitor>                   \
   void each_field(Visitor&& visitor) const { \
     RELIEVO_EACH_FIELD(visitor, __VA_ARGS__) \
-  }
+  }                                          \
+  template <class Visitor>                   \
+  auto field_list(Visitor visitor) const->decltype(visitor(__VA_ARGS__));

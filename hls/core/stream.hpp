@@ -3,6 +3,8 @@
 //   In simulation a write to a full stream or a read from an empty one is a bug of the caller: it is reported by the stream's name
 //   and ends the program, and words left over when a stream dies are reported too.
 #pragma once
+#include "hls/core/synthesis.hpp"
+
 #ifndef RELIEVO_SYNTHESIS
 #include <cstdio>
 #include <cstdlib>
