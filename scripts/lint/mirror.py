@@ -29,6 +29,9 @@ NO_TEST = {
 }
 # Headers of golden/ alone, and why there is no kernel of that name.
 NO_TWIN = {
+    "golden/edge/decision_bounds.hpp": "how far golden may lie from the ideal",
+    "golden/edge/redecide.hpp": "the ideal's second opinion on golden's decisions",
+    "golden/edge/redecision_summary.hpp": "its summary for the report",
     "golden/edge/edge_trace.hpp": "what an observer sees of an edge; a circuit has none",
     "golden/surface/memories.hpp": "the memories that a kernel has as ports",
 }
