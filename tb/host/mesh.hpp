@@ -29,8 +29,8 @@ struct mesh {
   std::string name;  // the file or the name of the generator, for messages
   std::vector<base_vertex> vertices;
   std::vector<std::array<std::uint32_t, 3>> triangles;
-  bool has_tangents = false;  // base_vertex::t is given; otherwise derive_tangents makes it from u
-  bool planar = false;        // all positions in one plane and all normals equal to its normal
+  bool has_tangents = false;  // base_vertex::t is given; otherwise complete_tangents makes it from u
+  bool planar = false;        // is_planar, filled in by make_base_mesh and make_scene
 
   // What our own .ply files carry besides; empty when the file had none.
   std::vector<glm::dvec3> undisplaced;       // per vertex: the point on the base surface
@@ -43,14 +43,15 @@ struct mesh {
 bool is_planar(mesh const& m);
 
 // World units per texel along u and v: lengths of dP/du and dP/dv over `texels_per_unit` (texels that u = 0..1 spans), averaged over the
-// triangles by their area. Exact for an affine parametrisation. Nothing when no triangle has an area in u and in p, or an axis has no
-// texels.
+// triangles by their area. Exact for an affine parametrisation. Nothing when no triangle has an area in u and in p; 1 along an axis that
+// spans no texels.
 std::optional<glm::dvec2> estimate_texel_size(mesh const& m, glm::dvec2 texels_per_unit);
 
-// Fills t from u where has_tangents is false: dP/du of the triangles around a vertex, weighted by area, averaged over all vertices that
-// agree in P, N and U (u modulo 1 on a wrapped axis), made orthogonal to N. Where u says nothing (no area), any direction orthogonal to N.
-// Where has_tangents is true, makes t orthogonal to N. input_error for a mirrored parametrisation: N x T has to point along growing v.
-void complete_tangents(mesh& m, bool wrap_u, bool wrap_v);
+// Fills t from u where has_tangents is false: dP/du of the triangles around a vertex, weighted by area, averaged over all vertices of one
+// class (vertex_class[i] numbers those that agree in P, N and U), made orthogonal to n. Where u says nothing (no area), any direction
+// orthogonal to n. Where has_tangents is true, makes t orthogonal to n. has_tangents is true afterwards.
+// input_error for a mirrored parametrisation, where n x t would not point along growing v.
+void complete_tangents(mesh& m, std::vector<std::uint32_t> const& vertex_class);
 
 // Refuses what no engine can take, with a line that names the mesh, the field and the vertex or triangle: no triangles, coordinates that
 // are not finite or above 1e9, normals of zero length, indices out of range, a triangle with a repeated index, an edge that more than two

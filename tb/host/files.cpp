@@ -1,0 +1,93 @@
+#include "tb/host/files.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+
+#include "tb/host/input_error.hpp"
+
+namespace relievo::tb {
+
+namespace {
+
+constexpr std::uintmax_t max_file_size = std::uintmax_t(1) << 32;
+
+std::string reason() { return errno != 0 ? std::strerror(errno) : "unknown reason"; }
+
+// Removes the temporary file unless it was renamed.
+class temporary_file {
+ public:
+  explicit temporary_file(std::string const& target) : path_(target + ".part." + std::to_string(::getpid())) {}
+  temporary_file(temporary_file const&) = delete;
+  temporary_file& operator=(temporary_file const&) = delete;
+  ~temporary_file() {
+    if (!kept_) std::remove(path_.c_str());
+  }
+  std::string const& path() const { return path_; }
+  void keep() { kept_ = true; }
+
+ private:
+  std::string path_;
+  bool kept_ = false;
+};
+
+}  // namespace
+
+std::string read_bytes(std::string const& path) {
+  std::error_code failed;
+  const auto status = std::filesystem::status(path, failed);
+  if (failed || status.type() == std::filesystem::file_type::not_found) throw input_error(path + ": no such file");
+  if (status.type() == std::filesystem::file_type::directory) throw input_error(path + ": is a folder, a file is needed");
+  if (status.type() == std::filesystem::file_type::regular) {
+    const auto size = std::filesystem::file_size(path, failed);
+    if (!failed && size == 0) throw input_error(path + ": the file is empty");
+    if (!failed && size > max_file_size) throw input_error(path + ": the file is larger than 4 GiB");
+  }
+  errno = 0;
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw input_error(path + ": cannot be opened: " + reason());
+  std::string bytes;
+  char block[1 << 16];
+  while (file.read(block, sizeof block) || file.gcount() > 0) {
+    bytes.append(block, static_cast<std::size_t>(file.gcount()));
+    if (bytes.size() > max_file_size) throw input_error(path + ": more than 4 GiB came out of it");
+  }
+  if (file.bad()) throw input_error(path + ": cannot be read: " + reason());
+  if (bytes.empty()) throw input_error(path + ": the file is empty");
+  return bytes;
+}
+
+void write_bytes(std::string const& path, std::string_view bytes) {
+  std::error_code failed;
+  if (path.empty()) throw input_error("the output's file name is empty");
+  if (std::filesystem::is_directory(path, failed)) throw input_error(path + ": is a folder, cannot be written as a file");
+  temporary_file temporary(path);
+  errno = 0;
+  {
+    std::ofstream file(temporary.path(), std::ios::binary | std::ios::trunc);
+    if (!file) throw input_error(path + ": cannot be written: " + reason());
+    file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    file.flush();
+    if (!file) throw input_error(path + ": cannot be written: " + reason());
+  }
+  if (std::rename(temporary.path().c_str(), path.c_str()) != 0) throw input_error(path + ": cannot be written: " + reason());
+  temporary.keep();
+}
+
+std::string extension_of(std::string const& path) {
+  const auto dot = path.rfind('.');
+  const auto slash = path.rfind('/');
+  if (dot == std::string::npos || (slash != std::string::npos && dot < slash)) return "";
+  std::string extension = path.substr(dot + 1);
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); });
+  return extension;
+}
+
+}  // namespace relievo::tb
