@@ -1,7 +1,7 @@
 // normalize: n = v / |v|, each component correctly rounded (half up).             Doggett & Hirche 2000, eq. 1 (N-hat)
 //
 //   in   v   direction     any vector
-//        fallback          what a zero vector becomes: 0 = normal (0, 0, 1), 1 = tangent (1, 0, 0)
+//        tangent           a zero vector becomes (1, 0, 0), else (0, 0, 1)
 //   out  n   unit          zero: |v| was 0
 //   registers: unit
 //
@@ -21,8 +21,8 @@ namespace golden {
 
 struct normalize_in {
   glm::dvec3 v{0};
-  int fallback = 0;
-  RELIEVO_FIELDS(v, fallback)
+  bool tangent = false;
+  RELIEVO_FIELDS(v, tangent)
 };
 struct normalize_out {
   glm::dvec3 n{0};
@@ -56,7 +56,7 @@ std::int64_t rounded_ratio(std::int64_t v, std::int64_t square) {
 
 template <class Rounding>
 normalize_out normalize(normalize_in const& in) {
-  const normalize_out nothing{in.fallback == 0 ? glm::dvec3(0, 0, 1) : glm::dvec3(1, 0, 0), true};
+  const normalize_out nothing{in.tangent ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 0, 1), true};
   if constexpr (Rounding::is_exact) {
     const double length = glm::length(in.v);
     if (length <= Rounding::noise(1)) return nothing;

@@ -193,8 +193,8 @@ class engine {
     vertex& m = e.m;
     m.p = calculate_new_p<Rounding>({e.v1.p, e.v2.p, e.k}).p;
     m.u = calculate_new_u<Rounding>({e.v1.u, e.v2.u, e.k}).u;
-    const auto n = calculate_new_n<Rounding>({e.v1.n, e.v2.n, e.k, 0});
-    const auto tangent = calculate_new_n<Rounding>({e.v1.t, e.v2.t, e.k, 1});
+    const auto n = calculate_new_n<Rounding>({e.v1.n, e.v2.n, e.k, false});
+    const auto tangent = calculate_new_n<Rounding>({e.v1.t, e.v2.t, e.k, true});
     m.n = n.n;
     m.t = tangent.n;
     for (std::size_t b = 0; b < 3; ++b) {

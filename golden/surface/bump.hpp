@@ -34,7 +34,7 @@ bump_out bump(bump_in const& in) {
   for (int i = 0; i < 3; ++i) b[i] = Rounding::template at<formats::unit>(b[i], out.saturated);
   glm::dvec3 direction = in.n * in.m.z + in.t * in.m.x + b * in.m.y;
   for (int i = 0; i < 3; ++i) direction[i] = Rounding::template at<formats::direction>(direction[i], out.saturated);
-  const normalize_out unit = normalize<Rounding>({direction, 0});
+  const normalize_out unit = normalize<Rounding>({direction, false});
   out.n = unit.n;
   out.zero = unit.zero;
   return out;

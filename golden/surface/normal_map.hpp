@@ -63,7 +63,7 @@ normal_map_out normal_map(normal_map_in const& in, map_regs const& map, normal_m
   const glm::dvec3 direction(Rounding::template at<formats::direction>(-regs.gradient_u * du, out.saturated),
                              Rounding::template at<formats::direction>(-regs.gradient_v * dv, out.saturated),
                              Rounding::template at<formats::direction>(power_of_two(-static_cast<int>(regs.normal_shift))));
-  const normalize_out unit = normalize<Rounding>({direction, 0});
+  const normalize_out unit = normalize<Rounding>({direction, false});
   out.n = unit.n;
   out.zero = unit.zero;
   return out;

@@ -8,7 +8,8 @@
 //     wrap_to<F>(x)             floor, modulo 2^width                                    AC_TRN/AC_WRAP
 //     exact_to<F>(x)            refused at compile time where a value could be lost
 //   Rules and widths are those on which ap_fixed and ac_fixed agree; with RELIEVO_AP_FIXED or RELIEVO_AC_FIXED defined, fixed holds
-//   one of theirs and they do the arithmetic (fixed_ap.hpp, fixed_ac.hpp). No intermediate is wider than 64 bits: a wider type does not compile.
+//   one of theirs and they do the arithmetic (fixed_ap.hpp, fixed_ac.hpp). No intermediate is wider than 64 bits: a wider type does not
+//   compile.
 #pragma once
 #include "hls/core/formats.hpp"
 #include "hls/core/synthesis.hpp"

@@ -1,6 +1,6 @@
 // normalize: v / |v|, every component correctly rounded (half up) to a unit.
 //   in    v         direction[3]
-//         fallback  what a zero vector becomes: (0,0,1) for normals, (1,0,0) for tangents
+//         tangent   a zero vector becomes (1,0,0), else (0,0,1)
 //   out   n         unit[3]
 //         zero      |v| was 0 (counted by the engine)
 //
@@ -10,19 +10,21 @@
 //   computed modulo 2^64 and read as signed, though each of its two terms may have 68.
 //   initiation interval 1
 #pragma once
+#include "hls/core/record.hpp"
 #include "hls/core/vector.hpp"
 
 namespace relievo {
 namespace hls {
 
-enum class zero_vector { normal, tangent };
-
 struct normalize_in {
   fixed<formats::direction> v[3];
+  bool tangent;
+  RELIEVO_FIELDS(v, tangent)
 };
 struct normalize_out {
   fixed<formats::unit> n[3];
   bool zero;
+  RELIEVO_FIELDS(n, zero)
 };
 
 namespace detail {
@@ -53,7 +55,7 @@ static constexpr reciprocal_root_table reciprocal_roots = make_reciprocal_root_t
 
 }  // namespace detail
 
-inline normalize_out normalize(normalize_in const& in, zero_vector fallback) {
+inline normalize_out normalize(normalize_in const& in) {
   normalize_out out;
   const auto s0_square = dot(in.v, in.v);
   static_assert(decltype(s0_square)::format_type::width <= 40, "the squared length fits 36 bits, its type 38");
@@ -94,9 +96,9 @@ inline normalize_out normalize(normalize_in const& in, zero_vector fallback) {
   }
   if (out.zero) {
     const std::int64_t one = std::int64_t(1) << formats::unit::fraction;
-    out.n[0] = from_raw<formats::unit>(fallback == zero_vector::tangent ? one : 0);
+    out.n[0] = from_raw<formats::unit>(in.tangent ? one : 0);
     out.n[1] = from_raw<formats::unit>(0);
-    out.n[2] = from_raw<formats::unit>(fallback == zero_vector::normal ? one : 0);
+    out.n[2] = from_raw<formats::unit>(in.tangent ? 0 : one);
   }
   return out;
 }

@@ -195,9 +195,9 @@ class engine {
     detail::copy(m.p, p.p);
     const calculate_new_u_out u = raw(k) == 8 ? u12 : calculate_new_u({{a.u[0], a.u[1]}, {b.u[0], b.u[1]}, k});
     detail::copy(m.u, u.u);
-    const calculate_new_n_out n = calculate_new_n({{a.n[0], a.n[1], a.n[2]}, {b.n[0], b.n[1], b.n[2]}, k}, zero_vector::normal);
+    const calculate_new_n_out n = calculate_new_n({{a.n[0], a.n[1], a.n[2]}, {b.n[0], b.n[1], b.n[2]}, k, false});
     detail::copy(m.n, n.n);
-    const calculate_new_n_out t = calculate_new_n({{a.t[0], a.t[1], a.t[2]}, {b.t[0], b.t[1], b.t[2]}, k}, zero_vector::tangent);
+    const calculate_new_n_out t = calculate_new_n({{a.t[0], a.t[1], a.t[2]}, {b.t[0], b.t[1], b.t[2]}, k, true});
     detail::copy(m.t, t.n);
     const bump_out bumped = displaced_normal(m, regs, memories);
     detail::copy(m.displaced_n, bumped.n);

@@ -30,11 +30,12 @@ inline bump_out bump(bump_in const& in) {
   bump_out out;
   out.saturated = false;
   normalize_in s1_direction;
+  s1_direction.tangent = false;
   for (int i = 0; i < 3; ++i) {
     const auto s0_bitangent = round_to<formats::unit>(cross(in.n, in.t, i), out.saturated);
     s1_direction.v[i] = round_to<formats::direction>(in.n[i] * in.m[2] + in.t[i] * in.m[0] + s0_bitangent * in.m[1], out.saturated);
   }
-  const normalize_out s2_unit = normalize(s1_direction, zero_vector::normal);
+  const normalize_out s2_unit = normalize(s1_direction);
   for (int i = 0; i < 3; ++i) out.n[i] = s2_unit.n[i];
   out.zero = s2_unit.zero;
   return out;

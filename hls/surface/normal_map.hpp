@@ -93,12 +93,13 @@ class normal_map {
     out.y = from_raw<formats::map_size>(y);
     out.saturated = false;
     normalize_in s1_direction;
+    s1_direction.tangent = false;
     s1_direction.v[0] = round_to<formats::direction>(-(regs.gradient_u * s0_delta_u), out.saturated);
     s1_direction.v[1] = round_to<formats::direction>(-(regs.gradient_v * s0_delta_v), out.saturated);
     // 2^-normal_shift, rounded like every register.
     s1_direction.v[2] =
         from_raw<formats::direction>((((std::int64_t(2) << formats::direction::fraction) >> raw(regs.normal_shift)) + 1) >> 1);
-    const normalize_out s2_unit = normalize(s1_direction, zero_vector::normal);
+    const normalize_out s2_unit = normalize(s1_direction);
     for (int i = 0; i < 3; ++i) out.n[i] = s2_unit.n[i];
     out.zero = s2_unit.zero;
     return out;

@@ -56,6 +56,8 @@ struct walker {
   void visit(bool const& x) { leaf(path, x); }
   void visit(double& x) { leaf(path, x); }
   void visit(double const& x) { leaf(path, x); }
+  void visit(int& x) { leaf(path, x); }
+  void visit(int const& x) { leaf(path, x); }
   template <int N>
   void visit(glm::vec<N, double>& x) {
     for (int i = 0; i < N; ++i) leaf(path, x[i]);

@@ -1,0 +1,93 @@
+// relievo compare: one scene through several models, their outputs equal word for word or the first difference.
+#include "tb/model/compare.hpp"
+
+#include <cstdio>
+#include <memory>
+#include <sstream>
+
+#include "tb/commands/commands.hpp"
+#include "tb/commands/reporting.hpp"
+#include "tb/commands/scene_arguments.hpp"
+#include "tb/host/input_error.hpp"
+
+namespace relievo::tb {
+
+namespace {
+
+std::vector<std::string> split_names(std::string const& text) {
+  std::vector<std::string> names;
+  std::istringstream in(text);
+  for (std::string name; std::getline(in, name, ',');) names.push_back(name);
+  if (names.size() < 2) throw input_error("--models: '" + text + "' names fewer than two models; right would be golden,hls");
+  for (std::string const& name : names)
+    if (name == "ideal") throw input_error("--models: ideal is not rounded and equals no other model word for word; take golden,hls");
+  return names;
+}
+
+std::string rate_text(double per_second) {
+  char text[60];
+  std::snprintf(text, sizeof text, "%.2f million edge tests/s", per_second / 1e6);
+  return text;
+}
+
+}  // namespace
+
+command add_compare(CLI::App& app) {
+  struct arguments {
+    scene_arguments scene;
+    output_arguments out;
+    std::string models = "golden,hls";
+    bool rate = false;
+  };
+  const auto a = std::make_shared<arguments>();
+  app.add_option("--models", a->models, "two or more of golden,hls")->capture_default_str();
+  a->scene.add_to(app);
+  a->out.add_to(app);
+  app.add_flag("--rate", a->rate, "measure the models' rates too")->group("Output");
+  app.footer("Example: relievo compare --mesh sphere:8 --displacement sine --models golden,hls\nExit code 1 when a word differs.");
+  return [a] {
+    const std::vector<std::string> names = split_names(a->models);
+    const scene sc = a->scene.make();
+    std::vector<run_result> runs;
+    for (std::string const& name : names) {
+      run_hooks hooks;
+      hooks.progress = progress_hook(name, sc);
+      runs.push_back(run_model(name, sc, hooks));
+    }
+    std::optional<measured_error> error;
+    if (a->out.measure) error = measure(runs.back().triangles, sc);
+
+    nlohmann::json report = to_json(runs.back().counts);
+    report["models"] = names;
+    report["scene"] = to_json(sc);
+    if (error) report["error"] = to_json(*error);
+    print_run(runs.back(), sc, error);
+    if (a->rate) {
+      for (std::string const& name : names) {
+        const double rate = edge_tests_per_second(*make_model(name, sc));
+        report["edge_tests_per_second"][name] = rate;
+        print_row("rate, " + name, rate_text(rate));
+      }
+    }
+    bool equal = true;
+    std::string text, first_difference;
+    for (std::size_t i = 1; i < names.size(); ++i) {
+      const comparison c = compare_runs(names.front(), runs.front(), names[i], runs[i]);
+      equal = equal && c.equal();
+      text += names[i] + (c.equal() ? " = " : " != ") + names.front() + ": " + grouped(c.triangles) + " triangles, " +
+              grouped(c.words_different) + " words differ\n";
+      if (first_difference.empty()) first_difference = c.first_difference;
+      for (std::string const& line : c.counters_different) text += "  counter " + line + "\n";
+      report["words_different"][names[i]] = c.words_different;
+    }
+    report["equal"] = equal;
+    if (!first_difference.empty()) report["first_difference"] = first_difference;
+    write_outputs(a->out, runs.back(), sc);
+    write_report(a->out, report);
+    std::printf("%s", text.c_str());
+    if (!first_difference.empty()) std::printf("first difference: %s\n", first_difference.c_str());
+    return equal ? 0 : 1;
+  };
+}
+
+}  // namespace relievo::tb

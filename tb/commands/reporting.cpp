@@ -1,0 +1,173 @@
+#include "tb/commands/reporting.hpp"
+
+#include <cstdio>
+#include <memory>
+
+#include "tb/analysis/image.hpp"
+#include "tb/analysis/progress.hpp"
+#include "tb/host/files.hpp"
+#include "tb/host/write_mesh.hpp"
+
+namespace relievo::tb {
+
+void output_arguments::add_to(CLI::App& app) {
+  app.add_option("-o,--output", meshes, "OUT.obj|.ply|.glb, may be given more than once")->group("Output");
+  app.add_flag("--raw", raw, "the raw words too (.ply)")->group("Output");
+  app.add_option("--report", report, "OUT.json")->group("Output");
+  app.add_option("--image", image, "OUT.png, a shaded picture")->group("Output");
+  app.add_flag("--wireframe", wireframe, "edges over the shading")->group("Output");
+  app.add_flag("--measure-error", measure, "measure the error at every sample of the map")->group("Output");
+}
+
+surface to_surface(std::vector<golden::triangle_out> const& triangles, scene const& sc) {
+  surface out;
+  out.reserve(triangles.size());
+  for (golden::triangle_out const& t : triangles) {
+    surface_triangle s;
+    for (std::size_t i = 0; i < 3; ++i) s.v[i] = {sc.to_world(t.v[i].displaced_p), t.v[i].displaced_n, t.v[i].u};
+    s.index = static_cast<std::uint32_t>(t.index);
+    out.push_back(s);
+  }
+  return out;
+}
+
+std::vector<base_corners> base_of(scene const& sc) {
+  std::vector<base_corners> out;
+  out.reserve(sc.triangles.size());
+  for (golden::triangle const& t : sc.triangles) {
+    base_corners b;
+    for (std::size_t i = 0; i < 3; ++i) b[i] = {sc.to_world(t.v[i].p), t.v[i].n, t.v[i].u};
+    out.push_back(b);
+  }
+  return out;
+}
+
+height_map heights_of(scene const& sc) {
+  height_map map;
+  map.texels = sc.map.texels.data();
+  map.width = sc.map.width;
+  map.height = sc.map.height;
+  map.wrap_u = sc.map.wrap_u;
+  map.wrap_v = sc.map.wrap_v;
+  map.scale = sc.world_per_sample();
+  map.bias = sc.options.bias;
+  if (sc.map.range) {
+    map.range_low = sc.map.range->low;
+    map.range_high = sc.map.range->high;
+  }
+  return map;
+}
+
+nlohmann::json to_json(golden::counters const& counts) {
+  nlohmann::json json;
+  counts.each_field([&](char const* name, auto const& x) { json[name] = x; });
+  return json;
+}
+
+nlohmann::json to_json(scene const& sc) {
+  scene_options const& o = sc.options;
+  std::string tests;
+  const auto add = [&](bool on, char const* name) { tests += on ? (tests.empty() ? "" : ",") + std::string(name) : ""; };
+  add(o.tests.nt, "nt");
+  add(o.tests.sht, "sht");
+  add(o.tests.pt, "pt");
+  add(o.tests.ht, "ht");
+  add(o.tests.vt, "vt");
+  add(o.tests.ct, "ct");
+  nlohmann::json json = {
+      {"mesh", o.mesh},
+      {"displacement", o.displacement},
+      {"map", {{"width", sc.map.width}, {"height", sc.map.height}, {"wrap_u", sc.map.wrap_u}, {"wrap_v", sc.map.wrap_v}}},
+      {"scale", o.scale},
+      {"bias", o.bias},
+      {"texel_size", {sc.texel_size.x, sc.texel_size.y}},
+      {"engine_units_per_world_unit", sc.world_scale},
+      {"tests", tests},
+      {"normal_threshold", o.normal_threshold},
+      {"height_mode", o.height_average ? "average" : "sum"},
+      {"highlight_threshold", o.highlight_threshold},
+      {"view_threshold", o.view_threshold},
+      {"queue", o.fifo ? "fifo" : "lifo"},
+      {"cull", o.cull}};
+  if (o.height_threshold) json["height_threshold"] = *o.height_threshold;
+  if (o.profile_threshold) json["profile_threshold"] = *o.profile_threshold;
+  if (o.max_generation) json["max_generation"] = *o.max_generation;
+  if (o.near) json["near"] = *o.near;
+  if (o.far) json["far"] = *o.far;
+  if (sc.map.range) json["sample_range"] = {sc.map.range->low, sc.map.range->high};
+  if (!sc.warnings.empty()) json["warnings"] = sc.warnings;
+  return json;
+}
+
+measured_error measure(std::vector<golden::triangle_out> const& triangles, scene const& sc) {
+  measured_error result;
+  const std::vector<base_corners> base = base_of(sc);
+  const height_map heights = heights_of(sc);
+  result.mesh = measure_error(to_surface(triangles, sc), base, heights);
+  if (result.mesh.along_normal) result.uniform = uniform_grid_error(heights, triangles.size());
+  return result;
+}
+
+nlohmann::json to_json(measured_error const& error) {
+  nlohmann::json json = {{"mesh", to_json(error.mesh)}};
+  if (error.uniform) json["uniform_grid"] = to_json(*error.uniform);
+  return json;
+}
+
+void write_outputs(output_arguments const& out, run_result const& run, scene const& sc) {
+  for (std::string const& path : out.meshes) write_mesh(path, run.triangles, sc, out.raw && extension_of(path) == "ply");
+  if (out.image.empty()) return;
+  image_options options;
+  options.wireframe = out.wireframe;
+  write_image(out.image, to_surface(run.triangles, sc), sc.camera, options);
+}
+
+void write_report(output_arguments const& out, nlohmann::json const& report) {
+  if (!out.report.empty()) write_bytes(out.report, report.dump(2) + "\n");
+}
+
+void print_row(std::string const& label, std::string const& value) { std::printf("  %-22s %s\n", label.c_str(), value.c_str()); }
+
+std::string grouped(std::uint64_t n) {
+  std::string text = std::to_string(n);
+  for (int i = static_cast<int>(text.size()) - 3; i > 0; i -= 3) text.insert(static_cast<std::size_t>(i), ",");
+  return text;
+}
+
+namespace {
+std::string figures(error_report const& e, scene const& sc) {
+  char line[120];
+  if (sc.map.range)
+    std::snprintf(line, sizeof line, "RMS %.2f m, maximum %.1f m", e.physical.rms, e.physical.max);
+  else
+    std::snprintf(line, sizeof line, "RMS %.6f, maximum %.6f world units", e.world.rms, e.world.max);
+  return line;
+}
+}  // namespace
+
+void print_run(run_result const& run, scene const& sc, std::optional<measured_error> const& error) {
+  golden::counters const& c = run.counts;
+  print_row("triangles", grouped(c.triangles_in) + " in, " + grouped(c.triangles_out) + " out" +
+                             (c.culled != 0 ? ", " + grouped(c.culled) + " culled" : ""));
+  if (error) {
+    print_row("error", figures(error->mesh, sc));
+    if (error->uniform)
+      print_row("uniform grid", figures(error->uniform->error, sc) + " with " + grouped(error->uniform->triangles) + " triangles");
+  }
+  char saved[80];
+  const double met = static_cast<double>(c.edge_tests + c.settled_skips);
+  std::snprintf(saved, sizeof saved, ", %.1f %% saved by settled edges",
+                met > 0 ? 100.0 * static_cast<double>(c.settled_skips) / met : 0.0);
+  print_row("edge tests", grouped(c.edge_tests) + saved);
+  print_row("queue", grouped(c.queue_high_water) + " entries at most");
+  if (c.saturations != 0 || c.screen_saturations != 0 || c.zero_vectors != 0)
+    print_row("counted", grouped(c.saturations) + " saturations, " + grouped(c.screen_saturations) + " screen saturations, " +
+                             grouped(c.zero_vectors) + " zero vectors");
+}
+
+std::function<void(std::size_t)> progress_hook(std::string const& label, scene const& sc) {
+  const auto bar = std::make_shared<progress>(label, sc.triangles.size());
+  return [bar](std::size_t begun) { bar->set(begun); };
+}
+
+}  // namespace relievo::tb

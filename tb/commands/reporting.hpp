@@ -1,0 +1,51 @@
+// reporting: what tessellate and compare put out of a run: meshes, picture, JSON report, and the table on the terminal.
+#pragma once
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tb/analysis/error.hpp"
+#include "tb/analysis/surface.hpp"
+#include "tb/model/model.hpp"
+
+namespace relievo::tb {
+
+// Output options shared by tessellate and compare.
+struct output_arguments {
+  std::vector<std::string> meshes;
+  std::string report, image;
+  bool raw = false, wireframe = false, measure = false;
+  void add_to(CLI::App& app);
+};
+
+// Displaced triangles in world units.
+surface to_surface(std::vector<golden::triangle_out> const& triangles, scene const& sc);
+std::vector<base_corners> base_of(scene const& sc);
+height_map heights_of(scene const& sc);
+
+nlohmann::json to_json(golden::counters const& counts);
+nlohmann::json to_json(scene const& sc);
+
+// Error of a mesh, and for a planar base of the uniform grid with as many triangles.
+struct measured_error {
+  error_report mesh;
+  std::optional<uniform_grid_report> uniform;
+};
+measured_error measure(std::vector<golden::triangle_out> const& triangles, scene const& sc);
+nlohmann::json to_json(measured_error const& error);
+
+// Meshes and picture; the report is written by the caller when it is complete.
+void write_outputs(output_arguments const& out, run_result const& run, scene const& sc);
+void write_report(output_arguments const& out, nlohmann::json const& report);
+
+// A line "label  value" of the table.
+void print_row(std::string const& label, std::string const& value);
+void print_run(run_result const& run, scene const& sc, std::optional<measured_error> const& error);
+std::string grouped(std::uint64_t n);  // 12,345
+
+// A progress bar over base triangles.
+std::function<void(std::size_t)> progress_hook(std::string const& label, scene const& sc);
+
+}  // namespace relievo::tb

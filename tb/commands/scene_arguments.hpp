@@ -1,0 +1,30 @@
+// scene_arguments: the options that describe a scene and the edge engine, the same for every subcommand that takes a scene.
+// The texts are read by make(), so that each mistake is one input_error that names the option.
+#pragma once
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "tb/host/scene.hpp"
+
+namespace relievo::tb {
+
+class scene_arguments {
+ public:
+  // `with_mesh`: false where the mesh is the command's own argument and --mesh would be the base.
+  void add_to(CLI::App& app);
+  // The options as given; errors name the option.
+  scene_options options() const;
+  // The scene, its warnings printed to stderr.
+  scene make() const;
+
+ private:
+  scene_options options_;
+  std::optional<std::string> sample_range_, texel_size_, address_, eye_, at_, up_, viewport_, tests_, height_mode_, half_vector_, queue_;
+  std::optional<double> near_, far_, height_threshold_, profile_threshold_;
+  std::optional<int> max_generation_;
+  std::string engine_ = "edge";
+};
+
+}  // namespace relievo::tb

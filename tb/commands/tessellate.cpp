@@ -1,0 +1,45 @@
+// relievo tessellate: one scene through one model; mesh, picture and report.
+#include <memory>
+
+#include "tb/commands/commands.hpp"
+#include "tb/commands/reporting.hpp"
+#include "tb/commands/scene_arguments.hpp"
+#include "tb/commands/vectors.hpp"
+
+namespace relievo::tb {
+
+command add_tessellate(CLI::App& app) {
+  struct arguments {
+    scene_arguments scene;
+    output_arguments out;
+    std::string model = "hls", vectors;
+  };
+  const auto a = std::make_shared<arguments>();
+  app.add_option("--model", a->model, "ideal|golden|hls")->capture_default_str();
+  a->scene.add_to(app);
+  a->out.add_to(app);
+  app.add_option("--vectors", a->vectors, "OUT.vec: the scene and its output as raw words, for replay")->group("Output");
+  app.footer("Example: relievo tessellate --mesh plane:8 --displacement half-donut -o donut.ply --image donut.png");
+  return [a] {
+    const scene sc = a->scene.make();
+    run_hooks hooks;
+    hooks.progress = progress_hook(a->model, sc);
+    const run_result run = run_model(a->model, sc, hooks);
+    hooks = {};
+    std::optional<measured_error> error;
+    if (a->out.measure) error = measure(run.triangles, sc);
+
+    nlohmann::json report = to_json(run.counts);
+    report["model"] = a->model;
+    report["scene"] = to_json(sc);
+    report["seconds"] = run.seconds;
+    if (error) report["error"] = to_json(*error);
+    if (!a->vectors.empty()) write_engine_vectors(a->vectors, sc, run);
+    write_outputs(a->out, run, sc);
+    write_report(a->out, report);
+    print_run(run, sc, error);
+    return 0;
+  };
+}
+
+}  // namespace relievo::tb
