@@ -116,8 +116,8 @@ class redecide {
     vertex m;
     m.p = calculate_new_p<exact>({e.v1.p, e.v2.p, k}).p;
     m.u = calculate_new_u<exact>({e.v1.u, e.v2.u, k}).u;
-    m.n = calculate_new_n<exact>({e.v1.n, e.v2.n, k, 0}).n;
-    m.t = calculate_new_n<exact>({e.v1.t, e.v2.t, k, 1}).n;
+    m.n = calculate_new_n<exact>({e.v1.n, e.v2.n, k, false}).n;
+    m.t = calculate_new_n<exact>({e.v1.t, e.v2.t, k, true}).n;
     const glm::dvec3 map_normal = normal_sampler<exact>({m.u}, regs_.map, normals_).n;
     m.displaced_n = bump<exact>({m.n, m.t, map_normal}).n;
     m.displaced_p = displace_vertex<exact>({m.p, m.n, m.u}, regs_.map, regs_.displace, texels_).p;

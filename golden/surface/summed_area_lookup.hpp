@@ -49,8 +49,7 @@ std::uint64_t table_at(int x, int y, map_regs const& map, Table const& table) {
 
 template <class Rounding, class Table>
 summed_area_lookup_out summed_area_lookup(summed_area_lookup_in const& in, map_regs const& map, Table const& table) {
-  constexpr int area_bits = 25;
-  static_assert(area_bits + formats::sample::width <= formats::rectangle_sum::width, "mean times area");
+  static_assert(formats::area::width + formats::sample::width <= formats::rectangle_sum::width, "mean times area");
   summed_area_lookup_in inside = in;
   if (!map.wrap_u) {
     inside.x0 = std::max(in.x0, 0);
@@ -66,7 +65,7 @@ summed_area_lookup_out summed_area_lookup(summed_area_lookup_in const& in, map_r
   const auto area = [](summed_area_lookup_in const& r) { return static_cast<double>(r.x1 - r.x0) * static_cast<double>(r.y1 - r.y0); };
   if (area(inside) == area(in)) return {sum};
   bool clipped = false;
-  return {quotient<Rounding, formats::sample, area_bits>(sum, area(inside), clipped) * area(in)};
+  return {quotient<Rounding, formats::sample, formats::area::width>(sum, area(inside), clipped) * area(in)};
 }
 
 }  // namespace golden
