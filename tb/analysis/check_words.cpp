@@ -32,6 +32,7 @@ class words_checker {
     report_.with_areas = m_.has_u && m_.base_triangle.size() == m_.triangles.size();
     identify();
     edges();
+    decide();
     if (!options_.culled) t_vertices();
     if (report_.with_areas) areas();
   }
@@ -118,7 +119,7 @@ class words_checker {
     open_.push_back({from(e), to(e)});
     if (options_.culled) return;
     if (!located_) {
-      ++report_.undecided_edges;
+      undecided_.push_back(e);
       return;
     }
     ++report_.open_edges;
@@ -144,6 +145,28 @@ class words_checker {
       return;
     }
     ++report_.shared_edges;
+  }
+
+  // Without a base mesh: two edges of the same undisplaced positions that aren't one edge lie at a border.
+  void decide() {
+    if (!m_.has_p) {
+      report_.undecided_edges += undecided_.size();
+      return;
+    }
+    value_index<3> points(undecided_.size());
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> ends;
+    const auto point = [&](std::uint32_t vertex) {
+      glm::dvec3 const& p = m_.vertices[vertex].p;
+      return points({p.x, p.y, p.z});
+    };
+    for (use const& e : undecided_) ends.push_back(std::minmax({point(from(e)), point(to(e))}));
+    std::sort(ends.begin(), ends.end());
+    for (std::size_t i = 0; i < ends.size();) {
+      std::size_t j = i;
+      while (j < ends.size() && ends[j] == ends[i]) ++j;
+      (j - i > 1 || ends[i].first == ends[i].second ? report_.border_edges : report_.undecided_edges) += j - i;
+      i = j;
+    }
   }
 
   bool agree(std::uint32_t a, std::uint32_t b) const {
@@ -263,6 +286,7 @@ class words_checker {
   bool located_ = false;
   std::vector<std::uint32_t> identity_;
   std::vector<std::array<std::uint32_t, 2>> open_;
+  std::vector<use> undecided_;
 };
 
 }  // namespace
