@@ -79,7 +79,9 @@ TEST(redecide, the_ideal_models_own_decisions_stand) {
     const redecision r = again(e);
     EXPECT_EQ(r.split, e.split);
     EXPECT_EQ(r.k, e.k);
-    if (e.nt.evaluated) EXPECT_EQ(r.m.displaced_n, e.m.displaced_n);
+    if (e.nt.evaluated) {
+      EXPECT_EQ(r.m.displaced_n, e.m.displaced_n);
+    }
   });
 }
 
