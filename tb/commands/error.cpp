@@ -2,35 +2,15 @@
 #include <cstdio>
 #include <memory>
 
+#include "tb/analysis/scene_surface.hpp"
 #include "tb/commands/commands.hpp"
 #include "tb/commands/reporting.hpp"
 #include "tb/commands/scene_arguments.hpp"
-#include "tb/host/input_error.hpp"
 #include "tb/host/read_mesh.hpp"
 
 namespace relievo::tb {
 
 namespace {
-
-surface read_surface(std::string const& path, scene const& sc) {
-  const loose_mesh loose = read_any_mesh(path);
-  if (!loose.has_coordinates)
-    throw input_error(path +
-                      ": no texture coordinates; error needs them to know which sample a point belongs to (vt in .obj, s t in .ply)");
-  mesh const& m = loose.m;
-  surface out;
-  out.reserve(m.triangles.size());
-  for (std::size_t i = 0; i < m.triangles.size(); ++i) {
-    surface_triangle t;
-    for (std::size_t j = 0; j < 3; ++j) {
-      base_vertex const& v = m.vertices[m.triangles[i][j]];
-      t.v[j] = {v.p, v.n, sc.to_texels(v.u)};
-    }
-    t.index = i < m.base_triangle.size() ? m.base_triangle[i] : 0;
-    out.push_back(t);
-  }
-  return out;
-}
 
 void print_figures(char const* what, error_figures const& f) {
   char line[120];
@@ -52,10 +32,10 @@ command add_error(CLI::App& app) {
   app.footer("Example: relievo error donut.ply --mesh plane:8 --displacement half-donut");
   return [a] {
     const scene sc = a->scene.make();
-    const surface displaced = read_surface(a->mesh, sc);
-    const height_map heights = heights_of(sc);
+    const surface displaced = world_surface(read_any_mesh(a->mesh), sc);
+    const height_map heights = measured_map(sc);
     measured_error error;
-    error.mesh = measure_error(displaced, base_of(sc), heights);
+    error.mesh = measure_error(displaced, measured_base(sc), heights);
     if (error.mesh.along_normal) error.uniform = uniform_grid_error(heights, displaced.size());
     print_row("triangles", grouped(displaced.size()));
     print_row("samples", grouped(error.mesh.samples) + (error.mesh.along_normal ? ", along the base normal" : ", distance"));

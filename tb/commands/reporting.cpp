@@ -5,6 +5,7 @@
 
 #include "tb/analysis/image.hpp"
 #include "tb/analysis/progress.hpp"
+#include "tb/analysis/scene_surface.hpp"
 #include "tb/host/files.hpp"
 #include "tb/host/write_mesh.hpp"
 
@@ -17,45 +18,6 @@ void output_arguments::add_to(CLI::App& app) {
   app.add_option("--image", image, "OUT.png, a shaded picture")->group("Output");
   app.add_flag("--wireframe", wireframe, "edges over the shading")->group("Output");
   app.add_flag("--measure-error", measure, "measure the error at every sample of the map")->group("Output");
-}
-
-surface to_surface(std::vector<golden::triangle_out> const& triangles, scene const& sc) {
-  surface out;
-  out.reserve(triangles.size());
-  for (golden::triangle_out const& t : triangles) {
-    surface_triangle s;
-    for (std::size_t i = 0; i < 3; ++i) s.v[i] = {sc.to_world(t.v[i].displaced_p), t.v[i].displaced_n, t.v[i].u};
-    s.index = static_cast<std::uint32_t>(t.index);
-    out.push_back(s);
-  }
-  return out;
-}
-
-std::vector<base_corners> base_of(scene const& sc) {
-  std::vector<base_corners> out;
-  out.reserve(sc.triangles.size());
-  for (golden::triangle const& t : sc.triangles) {
-    base_corners b;
-    for (std::size_t i = 0; i < 3; ++i) b[i] = {sc.to_world(t.v[i].p), t.v[i].n, t.v[i].u};
-    out.push_back(b);
-  }
-  return out;
-}
-
-height_map heights_of(scene const& sc) {
-  height_map map;
-  map.texels = sc.map.texels.data();
-  map.width = sc.map.width;
-  map.height = sc.map.height;
-  map.wrap_u = sc.map.wrap_u;
-  map.wrap_v = sc.map.wrap_v;
-  map.scale = sc.world_per_sample();
-  map.bias = sc.options.bias;
-  if (sc.map.range) {
-    map.range_low = sc.map.range->low;
-    map.range_high = sc.map.range->high;
-  }
-  return map;
 }
 
 nlohmann::json to_json(golden::counters const& counts) {
@@ -101,10 +63,8 @@ nlohmann::json to_json(scene const& sc) {
 
 measured_error measure(std::vector<golden::triangle_out> const& triangles, scene const& sc) {
   measured_error result;
-  const std::vector<base_corners> base = base_of(sc);
-  const height_map heights = heights_of(sc);
-  result.mesh = measure_error(to_surface(triangles, sc), base, heights);
-  if (result.mesh.along_normal) result.uniform = uniform_grid_error(heights, triangles.size());
+  result.mesh = measure_error(triangles, sc);
+  if (result.mesh.along_normal) result.uniform = uniform_grid_error(measured_map(sc), triangles.size());
   return result;
 }
 
@@ -119,7 +79,7 @@ void write_outputs(output_arguments const& out, run_result const& run, scene con
   if (out.image.empty()) return;
   image_options options;
   options.wireframe = out.wireframe;
-  write_image(out.image, to_surface(run.triangles, sc), sc.camera, options);
+  write_image(out.image, world_surface(run.triangles, sc), sc.camera, options);
 }
 
 void write_report(output_arguments const& out, nlohmann::json const& report) {

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "tb/analysis/error.hpp"
-#include "tb/analysis/surface.hpp"
 #include "tb/model/model.hpp"
 
 namespace relievo::tb {
@@ -19,11 +18,6 @@ struct output_arguments {
   bool raw = false, wireframe = false, measure = false;
   void add_to(CLI::App& app);
 };
-
-// Displaced triangles in world units.
-surface to_surface(std::vector<golden::triangle_out> const& triangles, scene const& sc);
-std::vector<base_corners> base_of(scene const& sc);
-height_map heights_of(scene const& sc);
 
 nlohmann::json to_json(golden::counters const& counts);
 nlohmann::json to_json(scene const& sc);
