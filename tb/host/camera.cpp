@@ -39,15 +39,18 @@ bool everything_fits(rows const& r, glm::dvec3 eye, int exponent) {
          reach(r.w * k, ow) < most_depth;
 }
 
-void check(camera_view const& view) {
-  for (int i = 0; i < 3; ++i)
-    if (!std::isfinite(view.eye[i]) || !std::isfinite(view.at[i]) || !std::isfinite(view.up[i]))
-      throw input_error("--eye, --at, --up: finite numbers are needed");
+void check_lens(camera_view const& view) {
   if (!(view.fov_degrees >= 0.1 && view.fov_degrees <= 175.0))
     throw input_error("--fov: " + shown(view.fov_degrees) + " degrees; from 0.1 to 175 is possible");
   if (view.width < 1 || view.height < 1 || view.width > 8191 || view.height > 8191)
     throw input_error("--viewport: " + std::to_string(view.width) + "x" + std::to_string(view.height) +
                       "; from 1x1 to 8191x8191 is possible");
+}
+
+void check_place(camera_view const& view) {
+  for (int i = 0; i < 3; ++i)
+    if (!std::isfinite(view.eye[i]) || !std::isfinite(view.at[i]) || !std::isfinite(view.up[i]))
+      throw input_error("--eye, --at, --up: finite numbers are needed");
   if (!(view.near > 0.0 && view.far > view.near && std::isfinite(view.far))) throw input_error("--near, --far: 0 < near < far is needed");
 }
 
@@ -55,7 +58,8 @@ void check(camera_view const& view) {
 
 camera_registers make_camera_registers(camera_view const& view) {
   using namespace formats;
-  check(view);
+  check_lens(view);
+  check_place(view);
   const glm::dvec3 sight = view.at - view.eye;
   if (!(glm::length(sight) > 1e-9)) throw input_error("--eye, --at: the eye looks at itself; two different points are needed");
   const glm::dvec3 forward = glm::normalize(sight);
@@ -96,7 +100,7 @@ camera_registers make_camera_registers(camera_view const& view) {
 }
 
 camera_view look_at_ball(camera_view view, glm::dvec3 centre, double radius) {
-  check(view);
+  check_lens(view);
   const double half = view.fov_degrees * pi / 360.0;
   const double narrower = std::atan(std::tan(half) * std::fmin(1.0, static_cast<double>(view.width) / view.height));
   const double distance = (radius > 0.0 ? radius : 1.0) / std::sin(narrower);

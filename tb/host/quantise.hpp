@@ -27,7 +27,8 @@ template <class F>
 double round_half_up(double x) {
   const double scaled = std::ldexp(x, F::fraction);
   const double below = std::floor(scaled);
-  return std::ldexp(scaled - below >= 0.5 ? below + 1.0 : below, -F::fraction);
+  // A word has one zero.
+  return std::ldexp(scaled - below >= 0.5 ? below + 1.0 : below, -F::fraction) + 0.0;
 }
 
 template <class F>

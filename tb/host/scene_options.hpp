@@ -35,7 +35,7 @@ struct scene_options {
                                            // range that the map's samples span (sum mode: times 64 texels)
   std::optional<double> profile_threshold;  // samples (units of the sample range); default 1/100 of the map's span
   double highlight_threshold = 0.95;        // cosine
-  std::optional<glm::dvec3> half_vector;    // default: half-way between the eye's direction and a light 45 degrees beside it
+  std::optional<glm::dvec3> half_vector;    // default: half-way between the eye's direction and a light 45 degrees above it
   double view_threshold = 4.0;              // pixels, Manhattan
   std::optional<int> max_generation;        // default ceil(log2(longest base edge in texels)) + 1, at most 15
   bool fifo = false;

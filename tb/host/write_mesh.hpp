@@ -20,7 +20,7 @@ namespace relievo::tb {
 
 void write_mesh(std::string const& path, std::vector<golden::triangle_out> const& triangles, scene const& sc, bool raw = false);
 
-// A mesh in world units as .obj (generated base meshes, reports).
+// A mesh in world units, likewise by extension (base meshes as files).
 void write_base_mesh(std::string const& path, mesh const& m);
 
 }  // namespace relievo::tb
