@@ -6,7 +6,7 @@
 //         w_min    depth      nearer than this counts as behind the eye
 //   out   screen   screen     (0, 0) behind the eye
 //         w        depth      0 for a negative sum, which is no saturation
-//         behind              w < w_min;  saturated: a register clipped, never behind the eye
+//         behind              w < w_min or w = 0;  saturated: a register clipped, never behind the eye
 //   registers: clip (x, y), depth, screen (correctly rounded quotient)
 #pragma once
 #include <glm/glm.hpp>
@@ -45,15 +45,10 @@ transform_out transform(transform_in const& in, transform_regs const& regs) {
   const double sum = glm::dot(regs.row_w, in.p) + regs.offset_w;
   bool clipped = false;
   out.w = sum < 0 ? 0 : Rounding::template at<depth>(sum, clipped);
-  out.behind = out.w < regs.w_min;
+  out.behind = out.w < regs.w_min || out.w == 0;
   if (out.behind) return out;
   const double x = Rounding::template at<clip>(glm::dot(regs.row_x, in.p) + regs.offset_x, clipped);
   const double y = Rounding::template at<clip>(glm::dot(regs.row_y, in.p) + regs.offset_y, clipped);
-  if (out.w == 0) {
-    // Only a w_min of 0 leads here; the contract keeps w_min positive, and a quotient by 0 stays undefined.
-    out.behind = true;
-    return out;
-  }
   out.screen.x = quotient<Rounding, formats::screen, depth::width>(x, out.w, clipped);
   out.screen.y = quotient<Rounding, formats::screen, depth::width>(y, out.w, clipped);
   out.saturated = clipped;

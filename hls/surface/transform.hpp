@@ -3,7 +3,7 @@
 //   in    p        position[3]
 //   regs  row_x, row_y, row_w, their offsets, w_min          the host may scale all three rows by one power of two
 //   out   screen   screen[2], pixels; w depth
-//         behind   w < w_min: at or behind the eye plane, then screen is (0, 0)
+//         behind   w < w_min, or w = 0 whatever w_min: at or behind the eye plane, then screen is (0, 0)
 //         saturated  a register clipped (the engine counts these apart: far off the screen is no fault of a scene)
 //   registers: s0_x, s0_y (clip), w (depth; a negative sum is 0 and does not count), screen: quotients correctly rounded
 //   initiation interval 1
@@ -44,7 +44,7 @@ inline transform_out transform(transform_in const& in, transform_regs const& reg
   static_assert(decltype(s0_sum_w)::format_type::width <= 53, "golden's double holds the sum");
   bool w_clipped = false;
   out.w = round_to<formats::depth>(s0_sum_w, w_clipped);
-  out.behind = out.w < regs.w_min;
+  out.behind = out.w < regs.w_min || raw(out.w) == 0;
   const auto s0_x = round_to<formats::clip>(dot(regs.row_x, in.p) + regs.offset_x, out.saturated);
   const auto s0_y = round_to<formats::clip>(dot(regs.row_y, in.p) + regs.offset_y, out.saturated);
   out.saturated |= w_clipped;

@@ -25,13 +25,26 @@ inline std::vector<std::uint16_t> make_texels(int width, int height, fill how, g
     for (int x = 0; x < width; ++x) {
       std::uint64_t word = 0;
       switch (how) {
-        case fill::zero: break;
-        case fill::maximum: word = 65535; break;
-        case fill::ramp: word = static_cast<std::uint64_t>(x * 97 + y * 41); break;
-        case fill::checker: word = (x + y) % 2 != 0 ? 65535 : 0; break;
-        case fill::random: word = g(); break;
-        case fill::random_bits: word = g() >> g.below(64); break;
-        case fill::constant: word = 12345; break;
+        case fill::zero:
+          break;
+        case fill::maximum:
+          word = 65535;
+          break;
+        case fill::ramp:
+          word = static_cast<std::uint64_t>(x * 97 + y * 41);
+          break;
+        case fill::checker:
+          word = (x + y) % 2 != 0 ? 65535 : 0;
+          break;
+        case fill::random:
+          word = g();
+          break;
+        case fill::random_bits:
+          word = g() >> g.below(64);
+          break;
+        case fill::constant:
+          word = 12345;
+          break;
       }
       texels.push_back(static_cast<std::uint16_t>(word & 0xffff));
     }

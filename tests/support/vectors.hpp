@@ -19,7 +19,8 @@ constexpr int corner_count = 10;
 template <class F>
 constexpr std::int64_t corner_word(int corner) {
   constexpr std::int64_t low = hls::fixed<F>::min_raw, high = hls::fixed<F>::max_raw;
-  constexpr std::int64_t one = F::fraction >= 0 && F::fraction < 62 && (std::int64_t(1) << F::fraction) < high ? std::int64_t(1) << F::fraction : high / 2;
+  constexpr std::int64_t one =
+      F::fraction >= 0 && F::fraction < 62 && (std::int64_t(1) << F::fraction) < high ? std::int64_t(1) << F::fraction : high / 2;
   constexpr std::int64_t words[corner_count] = {0, 1, high, high - 1, low, low + 1, F::is_signed ? -1 : high / 2, one, one - 1, one + 1};
   return words[corner] > high ? high : words[corner] < low ? low : words[corner];
 }
@@ -31,7 +32,8 @@ std::int64_t random_word(draw how, generator& g) {
   if (how == draw::mixed) how = static_cast<draw>(g.below(3));
   if (how == draw::corner) return corner_word<F>(static_cast<int>(g.below(corner_count)));
   const std::uint64_t bits = g();
-  std::int64_t word = F::is_signed ? static_cast<std::int64_t>(bits) >> (64 - F::width) : static_cast<std::int64_t>(bits >> (64 - F::width));
+  std::int64_t word =
+      F::is_signed ? static_cast<std::int64_t>(bits) >> (64 - F::width) : static_cast<std::int64_t>(bits >> (64 - F::width));
   // As many bits as it likes, up to all; the sign stays.
   if (how == draw::magnitude) word >>= g.below(static_cast<std::uint64_t>(F::width));
   return word;
@@ -69,9 +71,19 @@ struct any_word {
   void operator()(V&, generator&) const {}
 };
 
+// A sequence of its own for every test, and for every round of vectors within it.
+inline generator next_generator() {
+  static testing::TestInfo const* last = nullptr;
+  static int round = 0;
+  testing::TestInfo const* current = testing::UnitTest::GetInstance()->current_test_info();
+  round = current == last ? round + 1 : 0;
+  last = current;
+  return generator(std::string(current->test_suite_name()) + "." + current->name() + " " + std::to_string(round));
+}
+
 template <class V, class Shape, class Check>
 void for_vectors(Shape shape, Check check, std::uint64_t count) {
-  generator g(testing::UnitTest::GetInstance()->current_test_info()->name());
+  generator g = next_generator();
   V v{};
   std::uint64_t number = 0;
   const auto holds = [&](char const* kind) {
