@@ -68,7 +68,7 @@ class random_map {
   }
   texel_memory texels() const { return {texels_.data(), regs}; }
   table_memory table() const { return {table_.data(), regs}; }
-  glm::dvec3 operator()(int x, int y) const { return normals_[static_cast<std::size_t>(y * 37 + x)]; }
+  glm::dvec3 operator()(int x, int y) const { return normals_[static_cast<std::size_t>(y) * 37 + static_cast<std::size_t>(x)]; }
 
   map_regs regs;
 
