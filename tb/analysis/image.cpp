@@ -74,10 +74,9 @@ class renderer {
     extent_ = triangles.empty() ? 1.0 : glm::length(high - low);
     const double reach = glm::length(view.eye) + extent_;
     lift_ = std::max(1e-4 * extent_, 1e-6 * reach);
-    // Fixed against the up vector, swung to the viewer's left, so that relief reads the same from anywhere.
+    // From above, the viewer's left and his side of the scene: relief reads the same from anywhere, from straight above too.
     const glm::dvec3 up = glm::normalize(view.up);
-    const glm::dvec3 level = glm::normalize(viewer_.forward() - glm::dot(viewer_.forward(), up) * up + 1e-9 * viewer_.up());
-    to_light_ = glm::normalize(0.95 * up - 0.95 * viewer_.right() + 0.15 * level);
+    to_light_ = glm::normalize(0.65 * up - 0.85 * viewer_.right() - 0.45 * viewer_.forward());
     up_ = up;
   }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace relievo::tb {
 namespace {
@@ -54,10 +55,12 @@ std::vector<std::uint32_t> vertices_inside_open_edges(std::vector<open_vertex> c
 
   std::vector<std::uint32_t> found;
   for (auto const& e : edges) {
-    const auto range = std::minmax(sort_key(vertices[e[0]].p), sort_key(vertices[e[1]].p));
-    auto c = std::lower_bound(candidates.begin(), candidates.end(), range.first - tolerance.position,
+    double first = sort_key(vertices[e[0]].p);
+    double last = sort_key(vertices[e[1]].p);
+    if (first > last) std::swap(first, last);
+    auto c = std::lower_bound(candidates.begin(), candidates.end(), first - tolerance.position,
                               [](candidate const& a, double key) { return a.key < key; });
-    for (; c != candidates.end() && c->key <= range.second + tolerance.position; ++c) {
+    for (; c != candidates.end() && c->key <= last + tolerance.position; ++c) {
       if (inside(vertices[c->vertex], vertices[e[0]], vertices[e[1]], tolerance)) found.push_back(c->vertex);
     }
   }
