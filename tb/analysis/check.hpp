@@ -82,7 +82,7 @@ std::vector<std::string> base_warnings(std::vector<golden::triangle> const& base
 std::vector<std::string> base_warnings(mesh const& base);
 
 nlohmann::json to_json(check_report const& report);
-// Several lines for people.
+// Several lines for people; the warnings are left to the caller.
 std::string to_text(check_report const& report);
 
 }  // namespace relievo::tb

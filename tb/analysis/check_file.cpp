@@ -86,6 +86,14 @@ bool locate(words_mesh& m, std::vector<golden::triangle> const& base, check_repo
     report.warnings.push_back("the mesh has no texture coordinates, so its base mesh can't be used: topology only");
     return false;
   }
+  for (auto const& t : base) {
+    const glm::dvec2 e1 = t.v[1].u - t.v[0].u;
+    const glm::dvec2 e2 = t.v[2].u - t.v[0].u;
+    if (e1.x * e2.y != e1.y * e2.x) continue;
+    report.warnings.push_back(
+        "base triangles have no area in the map, so faces that don't name theirs (.ply does) can't be located: topology only");
+    return false;
+  }
   const base_locator locator(base);
   std::vector<std::uint32_t> found;
   found.reserve(m.triangles.size());

@@ -47,7 +47,6 @@ std::string to_text(check_report const& r) {
   }
   if (r.collapsed > 0) text << "\ncollapsed to less than a word: " << r.collapsed << " triangles";
   for (auto const& finding : r.findings) text << "\n  " << finding;
-  for (auto const& warning : r.warnings) text << "\nwarning: " << warning;
   text << "\n";
   return text.str();
 }

@@ -210,8 +210,8 @@ class words_checker {
     }
     open_tolerance tolerance;
     tolerance.position = rounding_lsbs * m_.position_lsb * std::sqrt(3.0);
-    // Vertices of a border have other coordinates than the edge beside them; P' alone can't ask.
-    tolerance.use_u = m_.has_p && m_.has_u;
+    // Vertices of a border have other coordinates than the edge beside them.
+    tolerance.use_u = m_.has_u;
     tolerance.coordinate = rounding_lsbs * m_.coordinate_lsb * std::sqrt(2.0);
     tolerance.turn = {m_.map.wrap_u ? m_.map.width : 0.0, m_.map.wrap_v ? m_.map.height : 0.0};
     for (const std::uint32_t vertex : vertices_inside_open_edges(vertices, open_, tolerance)) {

@@ -120,6 +120,40 @@ TEST(check_file, base_that_uses_the_map_twice_is_said_to_be_no_help) {
   EXPECT_TRUE(tb::check_file(as_file(m, true), base_as_file(m)).clean()) << "faces that name their base triangle are enough";
 }
 
+TEST(check_file, base_without_area_in_the_map_is_no_help_either) {
+  made_mesh m = plane(1, {9, 9, false, false});
+  for (auto& t : m.base) {
+    for (auto& v : t.v) v.u.y = 0;
+  }
+  cut(m, 0, 4, true);
+  cut(m, 1, 4, true);
+  const auto r = tb::check_file(as_file(m, false), base_as_file(m));
+  EXPECT_TRUE(r.clean()) << tb::to_text(r);
+  EXPECT_FALSE(r.with_base);
+  ASSERT_FALSE(r.warnings.empty());
+  EXPECT_NE(r.warnings.back().find("no area in the map"), std::string::npos);
+  EXPECT_TRUE(tb::check_file(as_file(m, true), base_as_file(m)).clean());
+}
+
+TEST(check_file, t_vertex_in_a_bare_mesh_but_not_across_a_border) {
+  made_mesh t = cut_plane(2, 4, {257, 257, false, false}, true);
+  for (auto& f : t.out) {
+    for (auto& v : f.v) v.displaced_p = v.p;  // flat: the new vertex lies on the old edge
+  }
+  split_alone(t, 1, 0, true);
+  for (auto& f : t.out) {
+    for (auto& v : f.v) v.displaced_p = v.p;
+  }
+  EXPECT_EQ(tb::check_file(as_file(t, false)).t_vertices, 1u);
+  made_mesh b = pole();
+  cut(b, 0, 4, true);
+  cut(b, 1, 8, true);
+  for (auto& f : b.out) {
+    for (auto& v : f.v) v.displaced_p = v.p;
+  }
+  EXPECT_EQ(tb::check_file(as_file(b, false)).t_vertices, 0u);
+}
+
 TEST(check_file, wrap_seam_closes_by_the_comment) {
   made_mesh m;
   m.map = {16, 5, true, false};
