@@ -66,16 +66,19 @@ inline summed_area_lookup_out summed_area_lookup(summed_area_lookup_in const& in
   const std::int64_t full_area = (high[0] - low[0]) * (high[1] - low[1]);
   std::int64_t turns_low[2] = {0, 0};
   std::int64_t turns_high[2] = {0, 0};
+  std::int64_t inside[2] = {0, 0};  // extent of what lies on the map; taking out turns does not change it
   bool clipped = false;
   for (int axis = 0; axis < 2; ++axis) {
     const std::int64_t size = raw(axis == 0 ? map.width : map.height);
     if (axis == 0 ? map.wrap_u : map.wrap_v) {
+      inside[axis] = high[axis] - low[axis];
       turns_low[axis] = detail::unwind(low[axis], size);
       turns_high[axis] = detail::unwind(high[axis], size);
     } else {
       clipped |= low[axis] < 0 || high[axis] > size;
       if (low[axis] < 0) low[axis] = 0;
       if (high[axis] > size) high[axis] = size;
+      inside[axis] = high[axis] - low[axis];
     }
   }
   const std::uint64_t s0_sum = detail::table_value(high[0], high[1], turns_high[0], turns_high[1], map, memory) -
@@ -86,7 +89,7 @@ inline summed_area_lookup_out summed_area_lookup(summed_area_lookup_in const& in
   summed_area_lookup_out out;
   out.s = exact_to<formats::rectangle_sum>(s1_sum);
   if (clipped) {
-    const auto area = from_raw<formats::area>((high[0] - low[0]) * (high[1] - low[1]));
+    const auto area = from_raw<formats::area>(inside[0] * inside[1]);
     bool overflow = false;
     const auto s2_mean = divide<formats::sample>(s1_sum, area, overflow);
     out.s = exact_to<formats::rectangle_sum>(s2_mean * from_raw<formats::area>(full_area));
