@@ -6,30 +6,14 @@
 #include <tuple>
 
 #include "tb/analysis/base_sides.hpp"
+#include "tb/analysis/exact_weights.hpp"
 #include "tb/analysis/progress.hpp"
 
 namespace relievo::tb {
 namespace {
 
-__extension__ typedef __int128 int128;
-constexpr std::int64_t one = std::int64_t{1} << 60;
+using namespace exact_weights;
 constexpr std::uint32_t none = 0xffffffffu;
-
-using weights = std::array<std::int64_t, 3>;
-
-// Twice the area over the base triangle's, times 2^120. Differences of weights are at most 2^60: no overflow.
-int128 area(weights const& a, weights const& b, weights const& c) {
-  return static_cast<int128>(b[0] - a[0]) * (c[1] - a[1]) - static_cast<int128>(b[1] - a[1]) * (c[0] - a[0]);
-}
-
-// x strictly between a and b on their line.
-bool strictly_between(weights const& x, weights const& a, weights const& b) {
-  if (x == a || x == b || area(a, b, x) != 0) return false;
-  for (std::size_t k = 0; k < 3; ++k) {
-    if (x[k] < std::min(a[k], b[k]) || x[k] > std::max(a[k], b[k])) return false;
-  }
-  return true;
-}
 
 // A piece of a base triangle's side: from parameter t0 to t1, increasing in the side's group direction.
 struct piece {
@@ -88,10 +72,7 @@ class exact_checker {
       if (out_[i].empty) continue;
       ++report_.triangles;
       bool inside = out_[i].index >= 0.0 && out_[i].index < static_cast<double>(base_.size());
-      for (auto const& v : out_[i].v) {
-        weights const& w = v.barycentric;
-        inside = inside && w[0] >= 0 && w[1] >= 0 && w[2] >= 0 && w[0] <= one && w[1] <= one && w[2] <= one && w[0] + w[1] + w[2] == one;
-      }
+      for (auto const& v : out_[i].v) inside = inside && is_inside(v.barycentric);
       if (!inside) {
         ++report_.outside;
         report_.found("outside", "triangle " + std::to_string(i) + " of the output lies in no base triangle");
@@ -171,14 +152,6 @@ class exact_checker {
       }
       id_[std::get<3>(order_[i])] = static_cast<std::uint32_t>(corner_.size() - 1);
     }
-  }
-
-  // The side that both ends lie on, or 3.
-  std::size_t side_of(weights const& a, weights const& b) const {
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (a[(k + 2) % 3] == 0 && b[(k + 2) % 3] == 0) return k;
-    }
-    return 3;
   }
 
   void edges(std::size_t b) {

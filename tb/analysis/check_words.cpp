@@ -13,11 +13,6 @@
 namespace relievo::tb {
 namespace {
 
-constexpr double rounding_lsbs = 8.0;
-
-double cross(glm::dvec2 const& a, glm::dvec2 const& b) { return a.x * b.y - a.y * b.x; }
-double size1(glm::dvec2 const& a) { return std::abs(a.x) + std::abs(a.y); }
-
 class words_checker {
  public:
   words_checker(words_mesh const& m, std::vector<golden::triangle> const& base, check_options const& options, check_report& report)
@@ -34,7 +29,7 @@ class words_checker {
     edges();
     decide();
     if (!options_.culled) t_vertices();
-    if (report_.with_areas) areas();
+    if (report_.with_areas) check_areas_in_u(m_, base_, options_, report_);
   }
 
  private:
@@ -218,64 +213,6 @@ class words_checker {
       ++report_.t_vertices;
       report_.found("T-vertex", at(vertex));
     }
-  }
-
-  void areas() {
-    const std::uint32_t highest = m_.base_triangle.empty() ? 0 : *std::max_element(m_.base_triangle.begin(), m_.base_triangle.end());
-    const std::size_t count = base_.empty() ? std::size_t{highest} + 1 : base_.size();
-    if (base_.empty() && count > 16 * (m_.triangles.size() + 1)) {
-      report_.with_areas = false;  // nobody's numbers of base triangles
-      return;
-    }
-    struct patch {
-      double sum = 0.0;
-      std::size_t children = 0;
-    };
-    std::vector<patch> patches(count);
-    for (std::size_t i = 0; i < m_.triangles.size(); ++i) {
-      if (m_.base_triangle[i] >= count) {
-        ++report_.outside;
-        report_.found("outside", "triangle " + std::to_string(i) + " names base triangle " + std::to_string(m_.base_triangle[i]));
-        continue;
-      }
-      patches[m_.base_triangle[i]].sum += twice_area(i);
-      ++patches[m_.base_triangle[i]].children;
-    }
-    const double d = rounding_lsbs * m_.coordinate_lsb;
-    for (std::size_t i = 0; i < m_.triangles.size(); ++i) {
-      if (m_.base_triangle[i] >= count) continue;
-      const double whole = base_.empty() ? patches[m_.base_triangle[i]].sum : base_area(m_.base_triangle[i]);
-      const double area = twice_area(i);
-      const glm::dvec2 e1 = corner(i, 1) - corner(i, 0);
-      const glm::dvec2 e2 = corner(i, 2) - corner(i, 0);
-      const double bound = 2.0 * d * (size1(e1) + size1(e2)) + 8.0 * d * d;
-      if ((whole > 0.0 && area < -bound) || (whole < 0.0 && area > bound)) {
-        ++report_.flips;
-        report_.found("flip", "triangle " + std::to_string(i) + " at " + at(m_.triangles[i][0]));
-      }
-    }
-    for (std::size_t b = 0; b < base_.size(); ++b) {
-      auto const& v = base_[b].v;
-      const double perimeter = size1(v[1].u - v[0].u) + size1(v[2].u - v[1].u) + size1(v[0].u - v[2].u);
-      const double boundary_vertices = static_cast<double>(patches[b].children) + 2.0;
-      const double bound = 2.0 * d * perimeter + 2.0 * boundary_vertices * d * d;
-      const double whole = std::abs(base_area(b));
-      const double sum = base_area(b) < 0.0 ? -patches[b].sum : patches[b].sum;
-      if ((sum < whole - bound || patches[b].children == 0) && !options_.culled) {
-        ++report_.missing_area;
-        report_.found("missing area", "base triangle " + std::to_string(b) + " is not covered whole");
-      } else if (sum > whole + bound) {
-        ++report_.excess_area;
-        report_.found("excess area", "base triangle " + std::to_string(b) + " is covered more than once");
-      }
-    }
-  }
-
-  glm::dvec2 const& corner(std::size_t triangle, std::size_t k) const { return m_.vertices[m_.triangles[triangle][k]].u; }
-  double twice_area(std::size_t i) const { return cross(corner(i, 1) - corner(i, 0), corner(i, 2) - corner(i, 0)); }
-  double base_area(std::size_t b) const {
-    auto const& v = base_[b].v;
-    return cross(v[1].u - v[0].u, v[2].u - v[0].u);
   }
 
   words_mesh const& m_;

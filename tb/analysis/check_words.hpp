@@ -23,6 +23,8 @@
 
 namespace relievo::tb {
 
+inline constexpr double rounding_lsbs = 8.0;
+
 struct words_vertex {
   glm::dvec3 p{0.0};  // P
   glm::dvec3 t{0.0};
@@ -45,6 +47,9 @@ struct words_mesh {
 
 // base: P, N, T, U of the base triangles in the same units, or empty.
 void check_words(words_mesh const& m, std::vector<golden::triangle> const& base, check_options const& options, check_report& report);
+
+// The part about areas in U alone (check_areas_in_u.cpp).
+void check_areas_in_u(words_mesh const& m, std::vector<golden::triangle> const& base, check_options const& options, check_report& report);
 
 words_mesh words_of(std::vector<golden::triangle_out> const& out, golden::map_regs const& map);
 

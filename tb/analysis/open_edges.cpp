@@ -50,6 +50,7 @@ std::vector<std::uint32_t> vertices_inside_open_edges(std::vector<open_vertex> c
   ends.erase(std::unique(ends.begin(), ends.end(), [&](auto a, auto b) { return vertices[a].identity == vertices[b].identity; }),
              ends.end());
   std::vector<candidate> candidates;
+  candidates.reserve(ends.size());
   for (const std::uint32_t v : ends) candidates.push_back({sort_key(vertices[v].p), v});
   std::sort(candidates.begin(), candidates.end(), [](candidate const& a, candidate const& b) { return a.key < b.key; });
 

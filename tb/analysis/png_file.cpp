@@ -34,6 +34,7 @@ coded_rows code(picture const& image) {
   }
   // In order of brightness, so that row filters see small differences between similar colours.
   std::vector<colour> order;
+  order.reserve(index.size());
   for (auto const& entry : index) order.push_back(entry.first);
   std::stable_sort(order.begin(), order.end(), [](colour const& a, colour const& b) { return a[0] + a[1] + a[2] < b[0] + b[1] + b[2]; });
   for (std::size_t i = 0; i < order.size(); ++i) {

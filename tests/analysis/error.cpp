@@ -16,7 +16,6 @@ namespace {
 
 using tb::base_corners;
 using tb::surface;
-using tb::surface_triangle;
 
 struct map_data {
   std::vector<std::uint16_t> texels;
@@ -29,7 +28,9 @@ struct map_data {
   }
   map_data(map_data const&) = delete;
   map_data& operator=(map_data const&) = delete;
-  std::uint16_t& at(int x, int y) { return texels[static_cast<std::size_t>(y * map.width + x)]; }
+  std::uint16_t& at(int x, int y) {
+    return texels[static_cast<std::size_t>(y) * static_cast<std::size_t>(map.width) + static_cast<std::size_t>(x)];
+  }
 };
 
 // A rectangle in z = 0, one texel 1/8 wide.
@@ -170,8 +171,9 @@ TEST(error, distance_equals_a_search_over_all_triangles) {
   std::uniform_real_distribution<double> spread(-0.2, 0.2);
   for (auto& t : m.texels) t = static_cast<std::uint16_t>(random() & 0xffffu);
   std::vector<double> heights;
+  heights.reserve(33 * 33);
   for (int i = 0; i < 33 * 33; ++i) heights.push_back(spread(random));
-  const auto s = grid(32, 32, 2, [&](int x, int y) { return heights[static_cast<std::size_t>(33 * y + x)]; });
+  const auto s = grid(32, 32, 2, [&](int x, int y) { return heights[33 * static_cast<std::size_t>(y) + static_cast<std::size_t>(x)]; });
   auto base = rectangle(32, 32);
   for (auto& t : base) {
     for (auto& v : t) v.n = glm::normalize(glm::dvec3(v.u.x - 16, v.u.y - 16, 40));

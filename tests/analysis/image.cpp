@@ -86,7 +86,9 @@ TEST(image, wireframe_draws_edges_where_they_project) {
   lines.wireframe = true;
   const auto plain = tb::render(s, c);
   const auto drawn = tb::render(s, c, lines);
-  const auto pixel = [](tb::picture const& p, int x, int y) { return p.pixels[static_cast<std::size_t>(y * p.width + x)]; };
+  const auto pixel = [](tb::picture const& p, int x, int y) {
+    return p.pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(p.width) + static_cast<std::size_t>(x)];
+  };
   EXPECT_EQ(pixel(plain, 50, 60), pixel(drawn, 50, 60));
   // y = -1 is a third of a side below the middle: row 50.5 + 33.7.
   int darkest = 255;

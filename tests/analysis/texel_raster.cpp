@@ -22,7 +22,7 @@ TEST(texel_raster, random_fans_leave_no_centre_out) {
     for (std::size_t i = 0; i < rim.size(); ++i) {
       const std::array<glm::dvec2, 3> t = {apex, rim[i], rim[(i + 1) % rim.size()]};
       tb::raster_texels(t, [&](int x, int y, glm::dvec3 const& w) {
-        ++visits[static_cast<std::size_t>(y * (side + 1) + x)];
+        ++visits[static_cast<std::size_t>(y) * (side + 1) + static_cast<std::size_t>(x)];
         const glm::dvec2 back = w.x * t[0] + w.y * t[1] + w.z * t[2];
         EXPECT_NEAR(back.x, x, 1e-9);
         EXPECT_NEAR(back.y, y, 1e-9);
