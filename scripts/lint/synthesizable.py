@@ -14,7 +14,7 @@ optimisation these are refused:
   dynamic stack           an array whose size is not constant
   dynamic initialisation  a global that needs code before the entry point
   inline assembly
-Then everything is inlined into the entry points and scalar evolution bounds the loops:
+Then scalar evolution bounds the loops, after inlining as much as that takes:
   unbounded loop          no constant largest count, or one above LARGEST_COUNT (which only says how wide the counter is);
                           a loop that holds RELIEVO_STREAMING_LOOP("why") is exempt
 
@@ -22,6 +22,7 @@ usage: synthesizable.py [--include FOLDER] [--list] FILE.cpp...     default: hls
 """
 
 import argparse
+import os
 import re
 import shutil
 import subprocess
@@ -33,6 +34,7 @@ from llvm_ir import Module, types_only
 from source import Findings, project_root
 
 LARGEST_COUNT = 1 << 16
+INLINE_THRESHOLDS = (100, 1000000)
 MARKER = "relievo_streaming_loop"
 FLOAT = re.compile(r"\b(half|bfloat|float|double|x86_fp80|fp128|ppc_fp128)\b")
 WIDE = re.compile(r"\bi(\d+)\b")
@@ -137,26 +139,38 @@ class Checker:
         if not entries:
             self.findings.add(path, "no entry point", "a kernel has one function of external linkage")
             return
+        # A bound found in a function as it stands holds wherever it is called. Only what this leaves open is worth the time of
+        # putting everything into the entry point, where the arguments of a call may give the bound.
+        for threshold in INLINE_THRESHOLDS:
+            open_loops, streaming = self.unbounded(path, entries, text, threshold)
+            if not open_loops:
+                break
+        self.streaming += streaming
+        for place, kind, message in open_loops:
+            self.findings.add(place, kind, message)
+
+    def unbounded(self, path, entries, text, threshold):
         command = [
             self.opt,
             "-S",
             f"-passes=internalize,{PASSES}",
             f"-internalize-public-api-list={','.join(entries)}",
-            "-inline-threshold=1000000",
-            "-inlinehint-threshold=1000000",
+            f"-inline-threshold={threshold}",
+            f"-inlinehint-threshold={threshold}",
             "-disable-loop-unrolling",
         ]
         run = subprocess.run(command, input=text, capture_output=True, text=True, check=False)
         if run.returncode:
-            self.findings.add(path, "does not compile", f"opt: {run.stderr.strip()[:200]}")
-            return
+            return [(path, "does not compile", f"opt: {run.stderr.strip()[:200]}")], []
         inlined = Module(run.stdout)
+        found, streaming = [], []
         for name, report in split_reports(run.stderr):
             function = inlined.functions.get(name)
             if function:
-                self.function_loops(path, inlined, function, report)
+                self.function_loops(path, inlined, function, report, found, streaming)
+        return found, streaming
 
-    def function_loops(self, path, module, function, report):
+    def function_loops(self, path, module, function, report, found, streaming):
         blocks = function.blocks()
         exempt = {}
         members = innermost(report["loops"])
@@ -168,12 +182,12 @@ class Checker:
             if count is not None and count < LARGEST_COUNT:
                 continue
             if header in exempt:
-                self.streaming.append(f"{exempt[header]}: streaming loop of {path.name}")
+                streaming.append(f"streaming loop at {exempt[header]}")
                 continue
             lines = blocks.get(header, [])
             place = next((p for p in map(module.place, lines) if p), path)
             what = "no constant bound" if count is None else f"{count} turns are only the width of its counter"
-            self.findings.add(place, "unbounded loop", f"{what} (in {function.name})")
+            found.append((place, "unbounded loop", f"{what} (in {function.name})"))
 
 
 def split_reports(text):
@@ -220,10 +234,11 @@ def main():
     parser.add_argument("--list", action="store_true", help="print the streaming loops too")
     parser.add_argument("files", type=Path, nargs="*")
     arguments = parser.parse_args()
-    files = arguments.files or sorted((project_root() / "hls/top").glob("*.cpp"))
+    os.chdir(arguments.include)
+    files = arguments.files or sorted(Path("hls/top").glob("*.cpp"))
     findings = Findings("synthesizability")
     checker = Checker(arguments.include, findings)
-    with ThreadPoolExecutor(2) as pool:
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
         list(pool.map(checker.check, files))
     if arguments.list:
         print("\n".join(sorted(set(checker.streaming))))

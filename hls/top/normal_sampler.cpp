@@ -1,0 +1,30 @@
+// normal_sampler: N_D(U), bilinear. Entry point of hls/surface/normal_sampler.hpp.
+//   in        56 bits  u 2 x 25
+//   map       32 bits  width 14, height 14, wrap_u 1, wrap_v 1
+//   normals   64 bits a texel, three 16-bit components from bit 0
+//   out       48 bits  n 3 x 16
+//   one word in, one word out a call; initiation interval 1
+#include "hls/top/top.hpp"
+
+using namespace relievo::hls;
+
+static_assert(field_width<normal_sampler_in>::value == 50, "the layout above");
+static_assert(field_width<map_regs>::value == 30, "the layout above");
+static_assert(field_width<normal_sampler_out>::value == 48, "the layout above");
+
+void relievo_normal_sampler(port<normal_sampler_in>& in, port_word<map_regs> map, std::uint64_t const* normals,
+                            port<normal_sampler_out>& out) {
+  // clang-format off
+#pragma HLS INTERFACE mode=axis port=in
+#pragma HLS INTERFACE mode=axis port=out
+#ifndef __BAMBU__
+#pragma HLS INTERFACE mode=s_axilite port=map
+#pragma HLS INTERFACE mode=m_axi port=normals offset=slave bundle=normals
+#pragma HLS INTERFACE mode=s_axilite port=return
+#pragma HLS PIPELINE II=1
+#else
+#pragma HLS INTERFACE mode=m_axi port=normals offset=direct
+#endif
+  // clang-format on
+  out.write(pack(normal_sampler(unpack<normal_sampler_in>(in.read()), unpack<map_regs>(map), normal_memory{normals})));
+}

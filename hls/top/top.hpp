@@ -1,0 +1,110 @@
+// top: the synthesizable entry points, one .cpp each; what a host, a test or a tool's script calls.
+//
+//   One call of a unit takes one word and gives one word: the tool pipelines calls, initiation interval as the unit's header says.
+//   One call of a builder is one map, one call of the engine is one mesh: they loop over their input, and start fresh.
+//   in, out    port<record>: one packed word a record (hls/core/packed.hpp: fields from bit 0 in their order, padded to 8 bits)
+//   regs, map  packed too, constant while the call runs
+//   memories   read-only words, one per texel, as hls/surface/map_regs.hpp says
+//
+//   Pragmas are written out in full and once per file: Bambu takes `mode=axis port=x` and refuses macros, the short form,
+//   `s_axilite`, `port=return` and PIPELINE, hence the one question __BAMBU__.
+#pragma once
+#include "hls/core/port.hpp"
+#include "hls/edge/engine.hpp"
+#include "hls/surface/normal_map.hpp"
+#include "hls/surface/summed_area_table.hpp"
+
+namespace relievo {
+namespace hls {
+namespace top {
+
+// The divider in the formats of the one division on the main path: clip / depth -> screen.
+struct divide_in {
+  fixed<formats::clip> numerator;
+  fixed<formats::depth> denominator;
+  RELIEVO_FIELDS(numerator, denominator)
+};
+struct divide_out {
+  fixed<formats::screen> quotient;
+  bool clipped;
+  RELIEVO_FIELDS(quotient, clipped)
+};
+
+// A texel of a map, and a word of its summed-area table.
+struct texel_word {
+  fixed<formats::texel> d;
+  RELIEVO_FIELDS(d)
+};
+struct table_word {
+  fixed<formats::table_sum> sum;
+  RELIEVO_FIELDS(sum)
+};
+
+// A base triangle: what the host knows of it. The engine adds the rest.
+struct base_vertex {
+  fixed<formats::position> p[3];
+  fixed<formats::unit> n[3];
+  fixed<formats::unit> t[3];
+  fixed<formats::coordinate> u[2];
+  RELIEVO_FIELDS(p, n, t, u)
+};
+struct base_triangle {
+  base_vertex v[3];
+  fixed<formats::index> index;
+  bool last;
+  RELIEVO_FIELDS(v, index, last)
+};
+
+constexpr int queue_depth = 49;      // 3 M + 4 for the largest limit of generations, M = 15
+constexpr int counter_words = 23;    // hls/edge/counters.hpp, in its order, splits[4] one after the other
+constexpr int largest_width = 8192;  // texels in a line of the builders
+
+}  // namespace top
+}  // namespace hls
+}  // namespace relievo
+
+extern "C" {
+void relievo_divide(relievo::hls::port<relievo::hls::top::divide_in>& in, relievo::hls::port<relievo::hls::top::divide_out>& out);
+void relievo_normalize(relievo::hls::port<relievo::hls::normalize_in>& in, relievo::hls::port<relievo::hls::normalize_out>& out);
+
+void relievo_map_sampler(relievo::hls::port<relievo::hls::map_sampler_in>& in, relievo::hls::port_word<relievo::hls::map_regs> map,
+                         std::uint16_t const* texels, relievo::hls::port<relievo::hls::map_sampler_out>& out);
+void relievo_normal_sampler(relievo::hls::port<relievo::hls::normal_sampler_in>& in, relievo::hls::port_word<relievo::hls::map_regs> map,
+                            std::uint64_t const* normals, relievo::hls::port<relievo::hls::normal_sampler_out>& out);
+void relievo_summed_area_lookup(relievo::hls::port<relievo::hls::summed_area_lookup_in>& in,
+                                relievo::hls::port_word<relievo::hls::map_regs> map, std::uint64_t const* table,
+                                relievo::hls::port<relievo::hls::summed_area_lookup_out>& out);
+void relievo_displace(relievo::hls::port<relievo::hls::displace_in>& in, relievo::hls::port_word<relievo::hls::displace_regs> regs,
+                      relievo::hls::port<relievo::hls::displace_out>& out);
+void relievo_bump(relievo::hls::port<relievo::hls::bump_in>& in, relievo::hls::port<relievo::hls::bump_out>& out);
+void relievo_transform(relievo::hls::port<relievo::hls::transform_in>& in, relievo::hls::port_word<relievo::hls::transform_regs> regs,
+                       relievo::hls::port<relievo::hls::transform_out>& out);
+void relievo_transform_normal(relievo::hls::port<relievo::hls::transform_normal_in>& in,
+                              relievo::hls::port_word<relievo::hls::transform_normal_regs> regs,
+                              relievo::hls::port<relievo::hls::transform_normal_out>& out);
+void relievo_summed_area_table(relievo::hls::port<relievo::hls::top::texel_word>& in, relievo::hls::port_word<relievo::hls::map_regs> map,
+                               relievo::hls::port<relievo::hls::top::table_word>& out);
+void relievo_normal_map(relievo::hls::port<relievo::hls::top::texel_word>& in, relievo::hls::port_word<relievo::hls::map_regs> map,
+                        relievo::hls::port_word<relievo::hls::normal_map_regs> regs, relievo::hls::port<relievo::hls::normal_map_out>& out);
+
+void relievo_normal_test(relievo::hls::port<relievo::hls::normal_test_in>& in, relievo::hls::port_word<relievo::hls::normal_test_regs> regs,
+                         relievo::hls::port<relievo::hls::normal_test_out>& out);
+void relievo_summed_height_test(relievo::hls::port<relievo::hls::summed_height_test_in>& in,
+                                relievo::hls::port_word<relievo::hls::map_regs> map,
+                                relievo::hls::port_word<relievo::hls::summed_height_test_regs> regs, std::uint64_t const* table,
+                                relievo::hls::port<relievo::hls::summed_height_test_out>& out);
+void relievo_view_test(relievo::hls::port<relievo::hls::view_test_in>& in, relievo::hls::port_word<relievo::hls::view_test_regs> regs,
+                       relievo::hls::port<relievo::hls::view_test_out>& out);
+void relievo_tex_coord_test(relievo::hls::port<relievo::hls::tex_coord_test_in>& in,
+                            relievo::hls::port<relievo::hls::tex_coord_test_out>& out);
+void relievo_highlight_test(relievo::hls::port<relievo::hls::highlight_test_in>& in,
+                            relievo::hls::port_word<relievo::hls::highlight_test_regs> regs,
+                            relievo::hls::port<relievo::hls::highlight_test_out>& out);
+void relievo_profile_test(relievo::hls::port<relievo::hls::profile_test_in>& in, relievo::hls::port_word<relievo::hls::map_regs> map,
+                          relievo::hls::port_word<relievo::hls::profile_test_regs> regs, std::uint16_t const* texels,
+                          relievo::hls::port<relievo::hls::profile_test_out>& out);
+
+void relievo_engine(relievo::hls::port<relievo::hls::top::base_triangle>& in, relievo::hls::port_word<relievo::hls::engine_regs> regs,
+                    std::uint16_t const* texels, std::uint64_t const* table, std::uint64_t const* normals,
+                    relievo::hls::port<relievo::hls::triangle_out>& out, std::uint64_t* counts);
+}
