@@ -16,7 +16,7 @@ settings& current_settings() {
 }  // namespace relievo::test
 
 // SystemC's library brings a main of its own that calls this; with ours it is only there to satisfy the linker.
-int sc_main(int, char**);
+extern "C" int sc_main(int, char**);
 int sc_main(int, char**) { return 0; }
 
 int main(int argc, char** argv) {
@@ -28,6 +28,7 @@ int main(int argc, char** argv) {
     if (argv[i] == std::string("--seed")) s.seed = std::strtoull(argv[i + 1], nullptr, 10);
     if (argv[i] == std::string("--vectors")) s.vectors = std::strtoull(argv[i + 1], nullptr, 10);
   }
-  std::printf("seed %llu, %llu random vectors a unit\n", static_cast<unsigned long long>(s.seed), static_cast<unsigned long long>(s.vectors));
+  std::printf("seed %llu, %llu random vectors a unit\n", static_cast<unsigned long long>(s.seed),
+              static_cast<unsigned long long>(s.vectors));
   return RUN_ALL_TESTS();
 }

@@ -19,8 +19,8 @@ constexpr int corner_count = 10;
 template <class F>
 constexpr std::int64_t corner_word(int corner) {
   constexpr std::int64_t low = hls::fixed<F>::min_raw, high = hls::fixed<F>::max_raw;
-  constexpr std::int64_t one =
-      F::fraction >= 0 && F::fraction < 62 && (std::int64_t(1) << F::fraction) < high ? std::int64_t(1) << F::fraction : high / 2;
+  constexpr bool has_one = F::integer_bits >= (F::is_signed ? 2 : 1) && F::fraction >= 0;
+  constexpr std::int64_t one = has_one ? std::int64_t(1) << (has_one ? F::fraction : 0) : high / 2;
   constexpr std::int64_t words[corner_count] = {0, 1, high, high - 1, low, low + 1, F::is_signed ? -1 : high / 2, one, one - 1, one + 1};
   return words[corner] > high ? high : words[corner] < low ? low : words[corner];
 }

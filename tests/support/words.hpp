@@ -17,6 +17,7 @@
 #include <string>
 #include <vector>
 
+#include "hls/core/record.hpp"
 #include "tb/model/words.hpp"
 
 namespace relievo::test {
