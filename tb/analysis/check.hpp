@@ -12,7 +12,8 @@
 // check_output looks at a model's output. With barycentric weights (golden, ideal) everything is exact: vertices are told apart by
 // their weights, topology and areas are integers, and vertices that should be one must agree in every word. Without them (rtl), and
 // for files, vertices are told apart by their words and areas are taken in U within the bound that the rounding of U implies
-// (check_words.hpp). A file without the base's help gets what can be said: edges used once are then boundary or hole, undecided.
+// (check_words.hpp). A file without the base's help gets what can be said: edges used once are then boundary or hole, undecided, and a
+// fold where N alone differs, which files don't hold, looks like a crack.
 #pragma once
 #include <cstdint>
 #include <map>

@@ -201,12 +201,13 @@ class words_checker {
     std::vector<open_vertex> vertices(m_.vertices.size());
     for (std::size_t i = 0; i < vertices.size(); ++i) {
       auto const& v = m_.vertices[i];
-      vertices[i] = {m_.has_p ? v.p : v.displaced_p, v.u, identity_[i]};
+      vertices[i] = {m_.has_p ? v.p : v.displaced_p, v.u, identity_[i], v.t};
     }
     open_tolerance tolerance;
     tolerance.position = rounding_lsbs * m_.position_lsb * std::sqrt(3.0);
     // Vertices of a border have other coordinates than the edge beside them.
     tolerance.use_u = m_.has_u;
+    tolerance.use_t = m_.has_t;
     tolerance.coordinate = rounding_lsbs * m_.coordinate_lsb * std::sqrt(2.0);
     tolerance.turn = {m_.map.wrap_u ? m_.map.width : 0.0, m_.map.wrap_v ? m_.map.height : 0.0};
     for (const std::uint32_t vertex : vertices_inside_open_edges(vertices, open_, tolerance)) {

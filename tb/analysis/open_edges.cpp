@@ -19,6 +19,10 @@ bool inside(open_vertex const& x, open_vertex const& a, open_vertex const& b, op
   const double along = glm::dot(x.p - a.p, ab);
   if (along <= 0.0 || along >= glm::dot(ab, ab)) return false;
   if (distance_to_segment(x.p, a.p, b.p) > tolerance.position) return false;
+  if (tolerance.use_t) {
+    const glm::dvec3 t = a.t + (along / glm::dot(ab, ab)) * (b.t - a.t);
+    if (glm::dot(t, x.t) < 0.9 * glm::length(t) * glm::length(x.t)) return false;
+  }
   if (!tolerance.use_u) return true;
   const glm::dvec2 middle = 0.5 * (a.u + b.u);
   const glm::dvec3 u(beside(x.u.x, middle.x, tolerance.turn.x), beside(x.u.y, middle.y, tolerance.turn.y), 0.0);

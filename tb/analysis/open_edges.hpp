@@ -2,7 +2,8 @@
 //
 //   A T-vertex is itself the end of open edges, so only those are looked at. A vertex lies inside an edge when it is neither of its
 //   ends, its foot is strictly between them and its distance is within the tolerance; with use_u the same holds in U, modulo the turn
-//   of a wrapped axis (0: not wrapped), so that a vertex across a border doesn't count. Each vertex is returned once, in order.
+//   of a wrapped axis (0: not wrapped), and with use_t its tangent is near the ends' (within 25 degrees, which no interpolation
+//   exceeds that hasn't lost its direction), so that a vertex across a border doesn't count. Each vertex is returned once, in order.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -15,6 +16,7 @@ struct open_vertex {
   glm::dvec3 p{0.0};
   glm::dvec2 u{0.0};
   std::uint32_t identity = 0;
+  glm::dvec3 t{0.0};
 };
 
 struct open_tolerance {
@@ -22,6 +24,7 @@ struct open_tolerance {
   bool use_u = false;
   double coordinate = 0.0;
   glm::dvec2 turn{0.0};
+  bool use_t = false;
 };
 
 double distance_to_segment(glm::dvec3 const& x, glm::dvec3 const& a, glm::dvec3 const& b);

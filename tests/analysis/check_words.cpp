@@ -142,9 +142,11 @@ TEST(check_words, triangles_below_a_word_collapse_without_a_hole) {
   EXPECT_EQ(r.cracks(), 0u) << tb::to_text(r);
 }
 
-TEST(open_edges, vertex_beside_an_edge_in_u_is_not_on_it) {
-  const std::vector<tb::open_vertex> v = {
-      {{0, 0, 0}, {0, 0}, 0}, {{1, 0, 0}, {8, 0}, 1}, {{0.5, 0, 0}, {4, 0}, 2}, {{0.25, 0, 0}, {2, 16}, 3}};
+TEST(open_edges, vertex_beside_an_edge_in_u_or_t_is_not_on_it) {
+  const std::vector<tb::open_vertex> v = {{{0, 0, 0}, {0, 0}, 0, {1, 0, 0}},
+                                          {{1, 0, 0}, {8, 0}, 1, {1, 0, 0}},
+                                          {{0.5, 0, 0}, {4, 0}, 2, {1, 0, 0}},
+                                          {{0.25, 0, 0}, {2, 16}, 3, {0, 1, 0}}};
   tb::open_tolerance tolerance;
   tolerance.position = 1e-6;
   const std::vector<std::array<std::uint32_t, 2>> edges = {{0, 1}, {2, 3}};
@@ -154,6 +156,8 @@ TEST(open_edges, vertex_beside_an_edge_in_u_is_not_on_it) {
   EXPECT_EQ(tb::vertices_inside_open_edges(v, edges, tolerance), std::vector<std::uint32_t>{2});
   tolerance.turn = {0, 16};  // v = 16 is v = 0 again
   EXPECT_EQ(tb::vertices_inside_open_edges(v, edges, tolerance).size(), 2u);
+  tolerance.use_t = true;
+  EXPECT_EQ(tb::vertices_inside_open_edges(v, edges, tolerance), std::vector<std::uint32_t>{2});
 }
 
 }  // namespace
