@@ -62,8 +62,8 @@ inline normalize_out normalize(normalize_in const& in) {
   const std::uint64_t square = static_cast<std::uint64_t>(raw(s0_square));
   out.zero = square == 0;
 
-  // s1: m = |v|^2 4^j in [2^34, 2^36).
-  std::uint64_t m = square;
+  // s1: m = |v|^2 4^j in [2^34, 2^36); a zero vector takes any way through.
+  std::uint64_t m = out.zero ? 1 : square;
   int j = 0;
   for (int step = 16; step >= 1; step >>= 1) {
     if (m < (std::uint64_t(1) << (36 - 2 * step))) {
@@ -71,7 +71,7 @@ inline normalize_out normalize(normalize_in const& in) {
       j += step;
     }
   }
-  const int entry = out.zero ? 0 : static_cast<int>(m >> 28) - detail::reciprocal_root_table::first;
+  const int entry = static_cast<int>(m >> 28) - detail::reciprocal_root_table::first;
 
   // s2: r = 2^34 / sqrt(m), one Newton step from the table: r (3 - m r^2 2^-68) / 2.
   const std::uint64_t r0 = detail::reciprocal_roots.entry[entry];
