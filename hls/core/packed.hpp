@@ -29,10 +29,11 @@ using bits = ac_int<N, false>;
 #else
 template <int N>
 struct bits {
-  std::uint64_t limb[(N + 63) / 64];
+  static constexpr int limbs = (N + 63) / 64;
+  std::uint64_t limb[limbs];
   friend bool operator==(bits const& a, bits const& b) {
     bool equal = true;
-    for (int i = 0; i < (N + 63) / 64; ++i) equal &= a.limb[i] == b.limb[i];
+    for (int i = 0; i < limbs; ++i) equal &= a.limb[i] == b.limb[i];
     return equal;
   }
   friend bool operator!=(bits const& a, bits const& b) { return !(a == b); }
@@ -105,7 +106,7 @@ inline void put(bits<N>& word, int at, std::uint64_t value) {
   const std::uint64_t kept = Width == 64 ? value : value & ((std::uint64_t(1) << (Width % 64)) - 1);
   const int low = at % 64;
   word.limb[at / 64] |= kept << low;
-  if (low + Width > 64) word.limb[at / 64 + 1] |= kept >> (64 - low);
+  if (low + Width > 64 && at / 64 + 1 < bits<N>::limbs) word.limb[at / 64 + 1] |= kept >> (64 - low);
 #endif
 }
 
@@ -118,7 +119,7 @@ inline std::uint64_t get(bits<N> const& word, int at) {
 #else
   const int low = at % 64;
   std::uint64_t value = word.limb[at / 64] >> low;
-  if (low + Width > 64) value |= word.limb[at / 64 + 1] << (64 - low);
+  if (low + Width > 64 && at / 64 + 1 < bits<N>::limbs) value |= word.limb[at / 64 + 1] << (64 - low);
   return Width == 64 ? value : value & ((std::uint64_t(1) << (Width % 64)) - 1);
 #endif
 }
