@@ -1,5 +1,6 @@
 // read_exr: a displacement map from an .exr, by OpenEXR: the channel Y or the only one. Values 0..1 become 0..65535, or LO..HI when a
 // sample range is given; others are refused rather than clipped.
+#include <ImathBox.h>
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
@@ -120,11 +121,9 @@ span_seen decode(std::string_view bytes, sample_range const& range, displacement
   span_seen seen;
   for (std::int64_t last = window.max.y; last >= window.min.y; last -= rows_at_a_time) {
     const std::int64_t first = std::max<std::int64_t>(window.min.y, last - rows_at_a_time + 1);
-    // The slice's base is where the pixel (0, 0) would lie; reckoned as a number, since it may lie outside the array.
-    const std::int64_t origin = window.min.x * std::int64_t(sizeof(float)) + first * static_cast<std::int64_t>(row);
-    char* base = reinterpret_cast<char*>(reinterpret_cast<std::uintptr_t>(values.data()) - static_cast<std::uintptr_t>(origin));
+    const Imath::Box2i slab({window.min.x, static_cast<int>(first)}, {window.max.x, static_cast<int>(last)});
     Imf::FrameBuffer frame;
-    frame.insert(channel, Imf::Slice(Imf::FLOAT, base, sizeof(float), row));
+    frame.insert(channel, Imf::Slice::Make(Imf::FLOAT, values.data(), slab, sizeof(float), row));
     file.setFrameBuffer(frame);
     file.readPixels(static_cast<int>(first), static_cast<int>(last));
     for (std::int64_t y = last; y >= first; --y) {
