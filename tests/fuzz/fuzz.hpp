@@ -12,7 +12,7 @@
 
 #include "tb/host/input_error.hpp"
 
-extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size);
+extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size);  // NOLINT: libFuzzer gives the name
 
 namespace relievo::test {
 

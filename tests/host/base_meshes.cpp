@@ -131,7 +131,7 @@ TEST(base_meshes, teapot_normals_agree_where_patches_are_smooth) {
 }
 
 TEST(base_meshes, wrong_numbers_are_refused_and_other_names_are_not_theirs) {
-  const auto making = [](std::string spec) { return [spec] { made(spec); }; };
+  const auto making = [](std::string const& spec) { return [spec] { made(spec); }; };
   EXPECT_TRUE(refuses(making("plane:0"), {"plane:0"}));
   EXPECT_TRUE(refuses(making("plane:x"), {"plane:x"}));
   EXPECT_TRUE(refuses(making("plane:2,2"), {"plane:2,2"}));

@@ -16,10 +16,10 @@ namespace {
 
 using texels = std::vector<std::uint16_t>;
 
-auto pgm(std::string bytes) {
+auto pgm(std::string const& bytes) {
   return [bytes] { return tb::read_pgm(bytes, "a.pgm"); };
 }
-auto png(std::string bytes) {
+auto png(std::string const& bytes) {
   return [bytes] { return tb::read_png(bytes, "a.png"); };
 }
 
@@ -119,7 +119,7 @@ TEST(map_exr, unit_range_and_sample_range) {
 }
 
 TEST(map_exr, refuses_bad_files) {
-  const auto reading = [](std::string bytes) { return [bytes] { tb::read_exr(bytes, "a.exr", {}); }; };
+  const auto reading = [](std::string const& bytes) { return [bytes] { tb::read_exr(bytes, "a.exr", {}); }; };
   EXPECT_TRUE(refuses(reading(exr({0.0f, 3.0f}, 2, 1, {"Y"}, Imf::FLOAT)), {"a.exr", "0 to 3", "--sample-range 0,3"}));
   EXPECT_TRUE(refuses(reading(exr({0.0f, NAN}, 2, 1, {"Y"}, Imf::FLOAT)), {"a.exr", "not finite"}));
   EXPECT_TRUE(refuses(reading(exr({0.0f, 0.0f}, 2, 1, {"R", "G", "B"}, Imf::FLOAT)), {"a.exr", "3 channels"}));
@@ -169,7 +169,7 @@ TEST(map, text_reads_from_left_to_right_and_bottom_to_top) {
 }
 
 TEST(map, generators_refuse_wrong_numbers) {
-  const auto making = [](std::string spec) { return [spec] { tb::generate_map(spec); }; };
+  const auto making = [](std::string const& spec) { return [spec] { tb::generate_map(spec); }; };
   EXPECT_TRUE(refuses(making("sine:0"), {"sine:0", "whole numbers"}));
   EXPECT_TRUE(refuses(making("sine:8193"), {"sine:8193", "8192"}));
   EXPECT_TRUE(refuses(making("sine:4,4,4"), {"sine:4,4,4", "up to 2"}));

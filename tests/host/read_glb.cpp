@@ -13,7 +13,7 @@ namespace {
 
 tb::mesh cylinder() { return *tb::make_base_mesh("cylinder:4,2", glm::dvec2(1.0)); }
 
-auto reading(std::string bytes) {
+auto reading(std::string const& bytes) {
   return [bytes] { tb::read_glb(bytes, "a.glb"); };
 }
 

@@ -9,7 +9,7 @@ namespace {
 
 std::string const quad = "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvn 0 0 2\nf 1/1/1 2/2/1 3/3/1 4/4/1\n";
 
-auto reading(std::string text) {
+auto reading(std::string const& text) {
   return [text] { tb::read_obj(text, "a.obj"); };
 }
 

@@ -18,7 +18,7 @@ std::string const header =
 std::string const body = "0 0 0 0 0 1 0 0\n1 0 0 0 0 1 1 0\n1 1 0 0 0 1 1 1\n0 1 0 0 0 1 0 1\n4 0 1 2 3\n";
 std::string const quad = header + body;
 
-auto reading(std::string bytes) {
+auto reading(std::string const& bytes) {
   return [bytes] { tb::read_ply(bytes, "a.ply"); };
 }
 

@@ -120,7 +120,7 @@ TEST(write_mesh, raw_words_need_words) {
 TEST(write_mesh, unwritable_outputs_are_refused_and_leave_nothing) {
   const temporary_folder folder;
   const tb::scene sc = plane();
-  const auto writing = [&](std::string path) { return [&sc, path] { tb::write_mesh(path, lifted(sc), sc); }; };
+  const auto writing = [&](std::string const& path) { return [&sc, path] { tb::write_mesh(path, lifted(sc), sc); }; };
   EXPECT_TRUE(refuses(writing(folder.file("a.stl")), {"a.stl", ".obj, .ply or .glb"}));
   EXPECT_TRUE(refuses(writing(folder.file("none/a.ply")), {"none/a.ply", "cannot be written"}));
   std::filesystem::create_directory(folder.file("folder.ply"));
