@@ -51,6 +51,11 @@ void give_bytes(png_structp png, png_bytep from, png_size_t count) {
 
 void nothing_to_flush(png_structp) {}
 
+bool machine_is_little() {
+  const std::uint16_t one = 1;
+  return *reinterpret_cast<unsigned char const*>(&one) == 1;
+}
+
 // False when libpng gave up; state.message says why.
 bool run_decoder(png_structp png, png_infop info, decoding& state) {
   if (setjmp(png_jmpbuf(png)) != 0) return false;
@@ -61,15 +66,23 @@ bool run_decoder(png_structp png, png_infop info, decoding& state) {
   if (png_get_bit_depth(png, info) < 8) png_set_expand(png);
   if (png_get_color_type(png, info) == PNG_COLOR_TYPE_PALETTE) png_set_palette_to_rgb(png);
   if (png_get_valid(png, info, PNG_INFO_tRNS) != 0) png_set_tRNS_to_alpha(png);
+  if (machine_is_little()) png_set_swap(png);
   png_set_interlace_handling(png);
   png_read_update_info(png, info);
   state.picture.width = static_cast<int>(png_get_image_width(png, info));
   state.picture.height = static_cast<int>(png_get_image_height(png, info));
   state.picture.channels = png_get_channels(png, info);
   state.picture.bits = png_get_bit_depth(png, info);
-  state.bytes.resize(png_get_rowbytes(png, info) * static_cast<std::size_t>(state.picture.height));
-  state.rows.resize(static_cast<std::size_t>(state.picture.height));
-  for (std::size_t y = 0; y < state.rows.size(); ++y) state.rows[y] = state.bytes.data() + y * png_get_rowbytes(png, info);
+  const std::size_t row = png_get_rowbytes(png, info), height = static_cast<std::size_t>(state.picture.height);
+  state.rows.resize(height);
+  if (state.picture.bits == 16) {
+    // Straight into the samples: a map of 8192 x 8192 is held once.
+    state.picture.samples.resize(row / 2 * height);
+    for (std::size_t y = 0; y < height; ++y) state.rows[y] = reinterpret_cast<png_bytep>(state.picture.samples.data() + y * (row / 2));
+  } else {
+    state.bytes.resize(row * height);
+    for (std::size_t y = 0; y < height; ++y) state.rows[y] = state.bytes.data() + y * row;
+  }
   png_read_image(png, state.rows.data());
   png_read_end(png, nullptr);
   return true;
@@ -81,7 +94,7 @@ bool run_encoder(png_structp png, png_infop info, encoding& state, int width, in
   png_set_IHDR(png, info, static_cast<png_uint_32>(width), static_cast<png_uint_32>(height), bits,
                channels == 1 ? PNG_COLOR_TYPE_GRAY : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
                PNG_FILTER_TYPE_DEFAULT);
-  png_set_compression_level(png, 9);
+  png_set_compression_level(png, 6);
   png_write_info(png, info);
   for (std::size_t y = 0; y < state.rows.size(); ++y) png_write_row(png, state.rows[y]);
   png_write_end(png, info);
@@ -135,10 +148,7 @@ decoded_png decode_png(std::string_view bytes, std::string const& name, int larg
     throw input_error(name + ": unusable as PNG: " + state.message);
   }
   decoded_png& picture = state.picture;
-  const std::size_t step = picture.bits == 16 ? 2 : 1;
-  picture.samples.reserve(state.bytes.size() / step);
-  for (std::size_t i = 0; i + step <= state.bytes.size(); i += step)
-    picture.samples.push_back(step == 2 ? static_cast<std::uint16_t>(state.bytes[i] << 8 | state.bytes[i + 1]) : state.bytes[i]);
+  if (picture.bits != 16) picture.samples.assign(state.bytes.begin(), state.bytes.end());
   return std::move(picture);
 }
 

@@ -28,11 +28,13 @@ class pgm_reader {
     maximum_ = number("the largest value");
     if (maximum_ < 1 || maximum_ > 65535) fail("the largest value is " + std::to_string(maximum_) + "; from 1 to 65535 is possible");
     const std::size_t count = static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.height);
-    const std::vector<std::uint16_t> from_top = magic == "P5" ? binary(count) : text(count);
+    const bool binary = magic == "P5";
+    if (binary) check_binary(count);
+    if (!binary && count > rest_.size()) fail("the file ends early: " + std::to_string(count) + " samples are needed");
     map.texels.resize(count);
-    const auto width = static_cast<std::ptrdiff_t>(map.width);
-    for (std::ptrdiff_t y = 0; y < map.height; ++y)
-      std::copy_n(from_top.begin() + (map.height - 1 - y) * width, width, map.texels.begin() + y * width);
+    const auto width = static_cast<std::size_t>(map.width);
+    for (std::size_t y = static_cast<std::size_t>(map.height); y-- > 0;)
+      for (std::size_t x = 0; x < width; ++x) map.texels[y * width + x] = widened(binary ? next_binary() : number("samples"));
     return map;
   }
 
@@ -76,7 +78,7 @@ class pgm_reader {
     return static_cast<std::uint16_t>((static_cast<std::int64_t>(value) * 65535 * 2 + maximum_) / (2 * maximum_));
   }
 
-  std::vector<std::uint16_t> binary(std::size_t count) {
+  void check_binary(std::size_t count) {
     if (rest_.empty() || !is_blank(rest_.front())) fail("one space has to follow the largest value");
     rest_.remove_prefix(1);
     const std::size_t each = maximum_ > 255 ? 2 : 1;
@@ -85,21 +87,13 @@ class pgm_reader {
     if (rest_.size() < count * each)
       fail("the file ends early: " + std::to_string(count * each) + " bytes of samples are needed, " + std::to_string(rest_.size()) +
            " are there");
-    std::vector<std::uint16_t> samples;
-    samples.reserve(count);
-    for (std::size_t i = 0; i < count; ++i) {
-      const auto byte = [&](std::size_t k) { return static_cast<int>(static_cast<unsigned char>(rest_[i * each + k])); };
-      samples.push_back(widened(each == 2 ? byte(0) << 8 | byte(1) : byte(0)));
-    }
-    return samples;
   }
 
-  std::vector<std::uint16_t> text(std::size_t count) {
-    if (count > rest_.size()) fail("the file ends early: " + std::to_string(count) + " samples are needed");
-    std::vector<std::uint16_t> samples;
-    samples.reserve(count);
-    for (std::size_t i = 0; i < count; ++i) samples.push_back(widened(number("samples")));
-    return samples;
+  int next_binary() {
+    const auto byte = [&](std::size_t k) { return static_cast<int>(static_cast<unsigned char>(rest_[k])); };
+    const int value = maximum_ > 255 ? byte(0) << 8 | byte(1) : byte(0);
+    rest_.remove_prefix(maximum_ > 255 ? 2 : 1);
+    return value;
   }
 
   std::string_view rest_;
