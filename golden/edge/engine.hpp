@@ -104,14 +104,14 @@ class engine {
     for (int i = 0; i < 3; ++i) {
       t.v[i].barycentric = {};
       t.v[i].barycentric[static_cast<std::size_t>(i)] = std::int64_t{1} << 60;
-      t.settled[i] = t.settled[i] || t.generation[i] >= regs_.pass.max_generation;
     }
   }
 
-  // P', N' and P'_s of vertices that have none yet, N'_s of those that only lack that.
+  // P', N' and P'_s of vertices that have none yet, N'_s of those that only lack that; which edges are settled.
   void set_up(triangle& t) {
-    const get_triangle_out needs = get_triangle<Rounding>({t});
+    const get_triangle_out needs = get_triangle<Rounding>({t}, regs_.pass.max_generation);
     for (int i = 0; i < 3; ++i) {
+      t.settled[i] = needs.settled[i];
       vertex& v = t.v[i];
       if (needs.new_surface[i]) {
         bend(v);

@@ -67,7 +67,7 @@ vector identity(std::int64_t w) {
   vector v{};
   v.regs.row_x[0] = hls::from_raw<formats::matrix_xy>(std::int64_t(1) << formats::matrix_xy::fraction);
   v.regs.row_y[1] = hls::from_raw<formats::matrix_xy>(std::int64_t(1) << formats::matrix_xy::fraction);
-  v.regs.offset_w = hls::from_raw<formats::offset_w>(w << (formats::offset_w::fraction - formats::depth::fraction));
+  v.regs.offset_w = hls::from_raw<formats::offset_w>(w * (std::int64_t(1) << (formats::offset_w::fraction - formats::depth::fraction)));
   v.regs.w_min = hls::from_raw<formats::depth>(std::int64_t(1) << 12);
   return v;
 }
