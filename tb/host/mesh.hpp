@@ -50,7 +50,8 @@ std::optional<glm::dvec2> estimate_texel_size(mesh const& m, glm::dvec2 texels_p
 // Fills t from u where has_tangents is false: dP/du of the triangles around a vertex, weighted by area, averaged over all vertices of one
 // class (vertex_class[i] numbers those that agree in P, N and U), made orthogonal to n. Where u says nothing (no area), any direction
 // orthogonal to n. Where has_tangents is true, makes t orthogonal to n. has_tangents is true afterwards.
-// input_error for a mirrored parametrisation, where n x t would not point along growing v.
+// input_error for a mirrored parametrisation, where n x t would not point along growing v, in more than a quarter of a connected piece;
+// single triangles that are turned over are left to be folds of a displaced mesh.
 void complete_tangents(mesh& m, std::vector<std::uint32_t> const& vertex_class);
 
 // Refuses what no engine can take, with a line that names the mesh, the field and the vertex or triangle: no triangles, coordinates that

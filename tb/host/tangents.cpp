@@ -1,6 +1,7 @@
 // tangents: what a parametrisation says about directions and sizes on a mesh (complete_tangents, estimate_texel_size of mesh.hpp).
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "tb/host/input_error.hpp"
 #include "tb/host/mesh.hpp"
@@ -56,26 +57,61 @@ glm::dvec3 orthogonal(glm::dvec3 t, glm::dvec3 n) {
 
 // A triangle is mirrored when going round it in u turns the other way than going round it in space, seen along the normals of all its
 // corners.
-void refuse_mirrored(mesh const& m) {
+bool is_mirrored(mesh const& m, std::array<std::uint32_t, 3> const& t, derivatives const& d) {
+  if (d.sliver < 1e-3) return false;
+  const glm::dvec3 face = glm::normalize(d.area) * (d.det > 0.0 ? 1.0 : -1.0);
+  return std::all_of(t.begin(), t.end(), [&](std::uint32_t i) { return glm::dot(face, m.vertices[i].n) < -0.5; });
+}
+
+// The pieces of a surface that hang together: every class of vertices leads to its piece's first.
+class pieces {
+ public:
+  explicit pieces(std::size_t classes) : leader_(classes) { std::iota(leader_.begin(), leader_.end(), 0u); }
+  std::uint32_t of(std::uint32_t i) {
+    while (leader_[i] != i) i = leader_[i] = leader_[leader_[i]];
+    return i;
+  }
+  void join(std::uint32_t a, std::uint32_t b) { leader_[of(a)] = of(b); }
+
+ private:
+  std::vector<std::uint32_t> leader_;
+};
+
+// Mirrored is a piece of the surface, or the half of one; single triangles may be turned over where a displaced mesh, the base of a second
+// pass, folds into itself.
+constexpr double largest_fold = 0.25;
+
+void refuse_mirrored(mesh const& m, std::vector<std::uint32_t> const& vertex_class, std::uint32_t classes) {
+  pieces surface(classes);
+  for (auto const& t : m.triangles)
+    for (std::size_t e = 0; e < 3; ++e) surface.join(vertex_class[t[e]], vertex_class[t[(e + 1) % 3]]);
+  struct share {
+    double whole = 0.0, mirrored = 0.0;
+    std::size_t first = 0;
+  };
+  std::vector<share> shares(classes);
   for (std::size_t i = 0; i < m.triangles.size(); ++i) {
     const derivatives d = differentiate(m, m.triangles[i]);
-    if (d.sliver < 1e-3) continue;
-    const glm::dvec3 face = glm::normalize(d.area) * (d.det > 0.0 ? 1.0 : -1.0);
-    bool mirrored = true;
-    for (std::uint32_t index : m.triangles[i]) mirrored = mirrored && glm::dot(face, m.vertices[index].n) < -0.5;
-    if (mirrored)
-      throw input_error(m.name + ": triangle " + std::to_string(i) +
-                        ": its texture coordinates are mirrored; u to the right and v up are needed, seen along the normal from outside");
+    share& s = shares[surface.of(vertex_class[m.triangles[i][0]])];
+    const double area = glm::length(d.area);
+    s.whole += area;
+    if (!is_mirrored(m, m.triangles[i], d)) continue;
+    if (s.mirrored == 0.0) s.first = i;
+    s.mirrored += area;
   }
+  for (share const& s : shares)
+    if (s.mirrored > largest_fold * s.whole)
+      throw input_error(m.name + ": triangle " + std::to_string(s.first) +
+                        ": its texture coordinates are mirrored; u to the right and v up are needed, seen along the normal from outside");
 }
 
 }  // namespace
 
 void complete_tangents(mesh& m, std::vector<std::uint32_t> const& vertex_class) {
-  if (m.undisplaced.empty()) refuse_mirrored(m);
+  std::uint32_t classes = 0;
+  for (std::uint32_t number : vertex_class) classes = std::max(classes, number + 1);
+  refuse_mirrored(m, vertex_class, classes);
   if (!m.has_tangents) {
-    std::uint32_t classes = 0;
-    for (std::uint32_t number : vertex_class) classes = std::max(classes, number + 1);
     std::vector<glm::dvec3> sum(classes, glm::dvec3(0.0));
     for (auto const& t : m.triangles) {
       const derivatives d = differentiate(m, t);

@@ -163,6 +163,18 @@ TEST(scene, mirrored_parametrisations_are_refused) {
   EXPECT_TRUE(refuses(making, {"plane:2", "triangle 0", "mirrored"}));
 }
 
+TEST(scene, half_a_mirrored_piece_is_refused_and_a_fold_is_not) {
+  tb::mesh m = *tb::make_base_mesh("plane:4", glm::dvec2(1));
+  m.has_tangents = false;
+  tb::mesh half = m;
+  // u grows to the middle and falls again, as when one half of a picture serves both halves of a face.
+  for (auto& v : half.vertices) v.u.x = 1 - std::abs(2 * v.u.x - 1);
+  EXPECT_TRUE(refuses([&] { tb::make_scene(over("m.obj", "sine"), half, *tb::generate_map("sine")); }, {"plane:4", "mirrored"}));
+  // One inner vertex pulled across its neighbour turns a few triangles over.
+  m.vertices[12].p.x = 0.75;
+  EXPECT_NO_THROW(tb::make_scene(over("m.obj", "sine"), m, *tb::generate_map("sine")));
+}
+
 TEST(scene, coordinates_outside_the_map_are_refused) {
   for (double off : {-0.01, 1.01}) {
     tb::mesh m = *tb::make_base_mesh("plane:2", glm::dvec2(1));
