@@ -14,6 +14,30 @@
 #include "hls/core/formats.hpp"
 #include "hls/core/synthesis.hpp"
 
+// ---- widths of results, the same for every tool ---------------------------------------------------------------------------
+
+namespace relievo {
+namespace hls {
+
+namespace detail {
+constexpr int max(int a, int b) { return a > b ? a : b; }
+}  // namespace detail
+
+template <class A, class B>
+struct sum_format {
+  static constexpr bool is_signed = A::is_signed || B::is_signed;
+  static constexpr int integer_bits =
+      detail::max(A::integer_bits + (is_signed && !A::is_signed), B::integer_bits + (is_signed && !B::is_signed)) + 1;
+  static constexpr int fraction = detail::max(A::fraction, B::fraction);
+  using type = format<integer_bits + fraction, integer_bits, is_signed>;
+  using difference = format<integer_bits + fraction, integer_bits, true>;
+};
+template <class A, class B>
+using product_format = format<A::width + B::width, A::integer_bits + B::integer_bits, (A::is_signed || B::is_signed)>;
+
+}  // namespace hls
+}  // namespace relievo
+
 #if defined(RELIEVO_AP_FIXED)
 #include "hls/core/fixed_ap.hpp"
 #elif defined(RELIEVO_AC_FIXED)
@@ -32,7 +56,6 @@ template <>
 struct storage<true> {
   using type = std::int32_t;
 };
-constexpr int max(int a, int b) { return a > b ? a : b; }
 // 2^n * x without shifting a negative number (undefined before C++20).
 constexpr std::int64_t scale_up(std::int64_t x, int n) { return static_cast<std::int64_t>(static_cast<std::uint64_t>(x) << n); }
 }  // namespace detail
@@ -65,18 +88,6 @@ constexpr fixed<Format> from_raw(std::int64_t word) {
 }
 
 // ---- arithmetic: exact -----------------------------------------------------------------------------------------------
-
-template <class A, class B>
-struct sum_format {
-  static constexpr bool is_signed = A::is_signed || B::is_signed;
-  static constexpr int integer_bits =
-      detail::max(A::integer_bits + (is_signed && !A::is_signed), B::integer_bits + (is_signed && !B::is_signed)) + 1;
-  static constexpr int fraction = detail::max(A::fraction, B::fraction);
-  using type = format<integer_bits + fraction, integer_bits, is_signed>;
-  using difference = format<integer_bits + fraction, integer_bits, true>;
-};
-template <class A, class B>
-using product_format = format<A::width + B::width, A::integer_bits + B::integer_bits, (A::is_signed || B::is_signed)>;
 
 template <class A, class B>
 constexpr fixed<typename sum_format<A, B>::type> operator+(fixed<A> a, fixed<B> b) {
