@@ -99,19 +99,28 @@ camera_registers make_camera_registers(camera_view const& view) {
   return out;
 }
 
-camera_view look_at_ball(camera_view view, glm::dvec3 centre, double radius) {
+camera_view look_at_box(camera_view view, glm::dvec3 low, glm::dvec3 high) {
   check_lens(view);
-  const double half = view.fov_degrees * pi / 360.0;
-  const double narrower = std::atan(std::tan(half) * std::fmin(1.0, static_cast<double>(view.width) / view.height));
-  const double distance = (radius > 0.0 ? radius : 1.0) / std::sin(narrower);
   const glm::dvec3 up = glm::length(view.up) > 0.0 ? glm::normalize(view.up) : glm::dvec3(0, 0, 1);
   // 35 degrees above the horizon that `up` gives, a little to the right of the axis that is least along it.
   const glm::dvec3 a = glm::abs(up);
   const glm::dvec3 axis = a.y <= a.x && a.y <= a.z ? glm::dvec3(0, -1, 0) : a.x <= a.z ? glm::dvec3(-1, 0, 0) : glm::dvec3(0, 0, 1);
   const glm::dvec3 front = glm::normalize(axis - up * glm::dot(axis, up)), side = glm::cross(up, front);
   const glm::dvec3 horizontal = front * std::cos(0.4) + side * std::sin(0.4);
-  view.at = centre;
-  view.eye = centre + (horizontal * std::cos(35.0 * pi / 180.0) + up * std::sin(35.0 * pi / 180.0)) * distance;
+  const double height = 35.0 * pi / 180.0;
+  const glm::dvec3 toward_eye = horizontal * std::cos(height) + up * std::sin(height);
+  const glm::dvec3 right = glm::normalize(glm::cross(up, toward_eye)), over = glm::cross(toward_eye, right);
+  const double tan_v = std::tan(view.fov_degrees * pi / 360.0), tan_h = tan_v * view.width / view.height;
+  const glm::dvec3 half = glm::max(0.5 * (high - low), glm::dvec3(1e-9));
+  // As near as lets every corner fall inside, and a twentieth more.
+  double distance = 0.0;
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::dvec3 q = half * glm::dvec3((corner & 1) != 0 ? 1 : -1, (corner & 2) != 0 ? 1 : -1, (corner & 4) != 0 ? 1 : -1);
+    const double sideways = std::fmax(std::abs(glm::dot(q, right)) / tan_h, std::abs(glm::dot(q, over)) / tan_v);
+    distance = std::fmax(distance, glm::dot(q, toward_eye) + sideways);
+  }
+  view.at = 0.5 * (low + high);
+  view.eye = view.at + toward_eye * (1.05 * distance);
   return view;
 }
 

@@ -30,7 +30,7 @@ struct camera_registers {
 // `view` in engine units.
 camera_registers make_camera_registers(camera_view const& view);
 
-// Fills eye and at so that the ball about `centre` with `radius` is seen whole, from a slant.
-camera_view look_at_ball(camera_view view, glm::dvec3 centre, double radius);
+// Fills eye and at so that the box is seen whole, from a slant.
+camera_view look_at_box(camera_view view, glm::dvec3 low, glm::dvec3 high);
 
 }  // namespace relievo::tb

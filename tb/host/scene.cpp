@@ -139,9 +139,21 @@ void make_triangles(scene& sc, std::vector<golden::vertex> const& vertices) {
   sc.triangles.back().last = true;
 }
 
+// What there is to be seen: the mesh at the lowest and at the highest displacement.
+box seen_box(mesh const& m, heights const& h) {
+  box b{glm::dvec3(INFINITY), glm::dvec3(-INFINITY)};
+  for (base_vertex const& v : m.vertices) {
+    for (double height : {h.low, h.high}) {
+      b.low = glm::min(b.low, v.p + v.n * height);
+      b.high = glm::max(b.high, v.p + v.n * height);
+    }
+  }
+  return b;
+}
+
 void set_camera(scene& sc, heights const& h) {
   scene_options& o = sc.options;
-  const box b = displaced_box(sc.base, h.largest());
+  const box b = seen_box(sc.base, h);
   const glm::dvec3 middle = 0.5 * (b.low + b.high);
   const double radius = std::fmax(0.5 * glm::length(b.high - b.low), 1e-9);
   camera_view view;
@@ -150,7 +162,7 @@ void set_camera(scene& sc, heights const& h) {
   view.width = o.viewport[0];
   view.height = o.viewport[1];
   view.at = o.at.value_or(middle);
-  view.eye = o.eye ? *o.eye : look_at_ball(view, view.at, radius).eye;
+  view.eye = o.eye ? *o.eye : view.at + (look_at_box(view, b.low, b.high).eye - middle);
   const double distance = glm::length(view.eye - middle);
   view.near = o.near.value_or(std::fmax(distance - 2.0 * radius, 0.01 * radius));
   view.far = o.far.value_or(std::fmax(distance + 2.0 * radius, 2.0 * view.near));
