@@ -172,7 +172,7 @@ void set_camera(scene& sc, heights const& h) {
   o.far = view.far;
   sc.camera = view;
 
-  const double reach = max_of<formats::eye>() / sc.world_scale;
+  const double reach = -min_of<formats::eye>() / sc.world_scale;
   const glm::dvec3 off = glm::abs(view.eye - sc.centre);
   if (!(off.x < reach && off.y < reach && off.z < reach))
     throw input_error("--eye: " + shown(view.eye.x) + "," + shown(view.eye.y) + "," + shown(view.eye.z) +
