@@ -19,10 +19,10 @@ struct entry {
 
 std::vector<entry> table() {
   std::vector<entry> list;
-#define RELIEVO_ENTRY(name, width, integer_bits, is_signed)                                                      \
-  static_assert(formats::name::width == (width) && formats::name::integer_bits == (integer_bits) &&              \
-                formats::name::fraction == (width) - (integer_bits) && formats::name::is_signed == (is_signed)); \
-  list.push_back({#name, formats::name::width, formats::name::integer_bits, formats::name::fraction, formats::name::is_signed});
+#define RELIEVO_ENTRY(id, w, i, s)                                                                                     \
+  static_assert(formats::id::width == (w) && formats::id::integer_bits == (i) && formats::id::fraction == (w) - (i) && \
+                formats::id::is_signed == (s));                                                                        \
+  list.push_back({#id, formats::id::width, formats::id::integer_bits, formats::id::fraction, formats::id::is_signed});
   RELIEVO_FORMATS(RELIEVO_ENTRY)
 #undef RELIEVO_ENTRY
   return list;
