@@ -63,9 +63,8 @@ double change_by_rounding(glm::dvec2 const& u_exact, glm::dvec2 const& u_rounded
   return moved.x * along_u + moved.y * along_v;
 }
 
-// sht: `u12_exact` and `u12_rounded` are the midpoint before and after its register.
-inline double summed_height_bound(glm::dvec2 const& u1, glm::dvec2 const& u2, glm::dvec2 const& u12_exact, glm::dvec2 const& u12_rounded,
-                                  map_regs const& map) {
+// sht, at the same midpoint cell: see redecide for the edges whose midpoint the register moves to the next texel.
+inline double summed_height_bound(glm::dvec2 const& u1, glm::dvec2 const& u2, glm::dvec2 const& u12, map_regs const& map) {
   const glm::ivec2 e = summed_height_extent(u1, u2, map);
   const auto sticks_out = [&](glm::dvec2 const& u, int times) {
     const auto axis = [times](double at, int extent, double size, bool wrap) {
@@ -76,18 +75,10 @@ inline double summed_height_bound(glm::dvec2 const& u1, glm::dvec2 const& u2, gl
   };
   const double area = 4.0 * e.x * e.y;
   double texels = 0;
-  if (sticks_out(u12_exact, 2) || sticks_out(u12_rounded, 2)) texels += 4 * area;
+  if (sticks_out(u12, 2)) texels += 4 * area;
   if (sticks_out(u1, 1)) texels += 2 * area;
   if (sticks_out(u2, 1)) texels += 2 * area;
-  double bound = half_lsb<formats::sample>() * texels;
-  // A mean of a clipped middle is multiplied up, so a moved column counts as if it stood in the full rectangle's place too.
-  const bool moved_u = std::floor(u12_exact.x) != std::floor(u12_rounded.x);
-  const bool moved_v = std::floor(u12_exact.y) != std::floor(u12_rounded.y);
-  const bool clipped_middle = sticks_out(u12_exact, 2) || sticks_out(u12_rounded, 2);
-  if ((moved_u || moved_v) && clipped_middle) bound += 4 * area * range_of<formats::texel>::max;
-  if (moved_u && !clipped_middle) bound += 4.0 * e.y * range_of<formats::texel>::max;
-  if (moved_v && !clipped_middle) bound += 4.0 * e.x * range_of<formats::texel>::max;
-  return bound;
+  return half_lsb<formats::sample>() * texels;
 }
 
 // pt: bound of the largest a_j.

@@ -10,6 +10,7 @@
 //                explained()     they agree, or differ within the bound
 //     k, m       where the ideal would have put the vertex, and its ideal record at golden's k
 //     split      the ideal decision
+//     middle_moved   sht was judged at golden's midpoint: its register moved it to the next texel, within one LSB of U
 //
 // A test that golden did not reach (vt or ct stopped the edge) is evaluated for the ideal decision alone: compared is false.
 #pragma once
@@ -48,6 +49,7 @@ struct redecision {
   double k = 8;
   vertex m;
   bool split = false;
+  bool middle_moved = false;
 };
 
 class redecide {
@@ -75,10 +77,14 @@ class redecide {
       out.ct.margin = std::min(below.x, below.y);
     }
     if (use.use_sht) {
-      const summed_height_test_in in{e.v1.u, e.v2.u, u12};
+      // Where the register moves the midpoint to the next texel, the middle rectangle moves with it, as ct's decision would: such an edge
+      // is judged at golden's midpoint and counted, so that the margin says what the arithmetic does.
+      out.middle_moved = glm::floor(u12) != glm::floor(u12_rounded);
+      const glm::dvec2 middle = out.middle_moved ? u12_rounded : u12;
+      const summed_height_test_in in{e.v1.u, e.v2.u, middle};
       const auto sides = summed_height_measure<exact>(in, regs_.map, regs_.summed_height, table_);
       out.sht = compare(e.sht, summed_height_test<exact>(in, regs_.map, regs_.summed_height, table_).sht, sides.measure, sides.threshold,
-                        summed_height_bound(e.v1.u, e.v2.u, u12, u12_rounded, regs_.map) + exact::noise(sides.scale));
+                        summed_height_bound(e.v1.u, e.v2.u, middle, regs_.map) + exact::noise(sides.scale));
     }
     if (use.use_pt) {
       const profile_test_in in{e.v1.u, e.v2.u, precedes(e.v1, e.v2, regs_.map)};

@@ -7,6 +7,7 @@
 //                 largest_margin, largest_share      of the differing decisions: |ideal measure - threshold|, and that
 //                                                    divided by the threshold
 //     splits, places   edges whose split or whose k the ideal would have chosen otherwise
+//     middles_moved    edges whose sht was judged at golden's midpoint (redecide)
 //     per register     error of new vertices in LSB, given the same end records: max and RMS
 #pragma once
 #include <algorithm>
@@ -58,7 +59,7 @@ struct register_summary {
 };
 
 struct redecision_summary {
-  std::uint64_t edges = 0, splits = 0, places = 0;
+  std::uint64_t edges = 0, splits = 0, places = 0, middles_moved = 0;
   test_summary vt, ct, nt, sht, pt, ht;
   register_summary p, u, n, t, displaced_n, displaced_p, screen;
 
@@ -66,6 +67,7 @@ struct redecision_summary {
     ++edges;
     splits += r.split != e.split ? 1 : 0;
     places += e.pt.evaluated && r.k != e.k ? 1 : 0;
+    middles_moved += e.sht.evaluated && r.middle_moved ? 1 : 0;
     vt.add(r.vt);
     ct.add(r.ct);
     nt.add(r.nt);
