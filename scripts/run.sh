@@ -11,5 +11,8 @@ grep -qs '^RELIEVO_TESTS:BOOL=ON' "$root/build/CMakeCache.txt" && tests=ON
 RELIEVO_TESTS=$tests "$root/scripts/build.sh" release relievo
 
 mkdir -p "$root/out"
+echo "Jacksboro fault, 403 x 344 samples, 236 to 1076 m, over 128 base triangles:"
 "$root/build/relievo" compare --models golden,hls --mesh plane:8 --displacement "$root/tests/data/jacksboro_403x344.png" \
-  --sample-range 236,1076 -o "$root/out/jacksboro.obj" --report "$root/out/jacksboro.json" --image "$root/out/jacksboro.png" "$@"
+  --sample-range 236,1076 --scale 0.25 --tests pt,ct --profile-threshold 20 --viewport 1280x800 --measure-error --rate \
+  -o "$root/out/jacksboro.obj" -o "$root/out/jacksboro.ply" --image "$root/out/jacksboro.png" --report "$root/out/jacksboro.json" "$@"
+echo "left out/jacksboro.obj, .ply, .png, .json"

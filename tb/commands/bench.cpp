@@ -5,6 +5,7 @@
 #include "tb/commands/commands.hpp"
 #include "tb/commands/reporting.hpp"
 #include "tb/commands/scene_arguments.hpp"
+#include "tb/host/files.hpp"
 
 namespace relievo::tb {
 
@@ -18,6 +19,7 @@ command add_bench(CLI::App& app) {
   app.add_option("--report", a->report, "OUT.json")->group("Output");
   app.footer("Example: relievo bench --mesh plane:8 --displacement half-donut --tests nt,sht,pt,vt,ct");
   return [a] {
+    if (!a->report.empty()) check_writable(a->report);
     const scene sc = a->scene.make();
     nlohmann::json report = {{"scene", to_json(sc)}};
     for (std::string const& name : model_names()) {

@@ -7,6 +7,7 @@
 #include "tb/commands/commands.hpp"
 #include "tb/commands/reporting.hpp"
 #include "tb/commands/scene_arguments.hpp"
+#include "tb/host/files.hpp"
 #include "tb/host/input_error.hpp"
 
 namespace relievo::tb {
@@ -19,11 +20,12 @@ struct arguments {
   bool scene_given = false;
 };
 
+// The scene's own warnings are not printed: the report has those of the base mesh.
 check_report run_check(arguments const& a) {
   if (a.file.empty() && a.model.empty()) throw input_error("check: name a mesh file, or a model with --model to check its output exactly");
   if (!a.model.empty()) {
     if (!a.file.empty()) throw input_error("check: a mesh file and --model exclude each other");
-    const scene sc = a.scene.make();
+    const scene sc = make_scene(a.scene.options());
     // The weights are golden's; hls has the same words in the same order (relievo compare), so golden's stand for both.
     const run_result run = run_model(a.model, sc);
     check_options options;
@@ -33,7 +35,7 @@ check_report run_check(arguments const& a) {
   const loose_mesh file = read_any_mesh(a.file);
   if (!a.base.empty()) return check_file(file, read_mesh(a.base));
   if (!a.scene_given) return check_file(file);
-  const scene sc = a.scene.make();
+  const scene sc = make_scene(a.scene.options());
   check_options options;
   options.culled = sc.options.cull;
   return check_file(file, sc, options);
@@ -53,6 +55,7 @@ command add_check(CLI::App& app) {
       "          relievo check --model golden --mesh sphere:8 --displacement sine\nExit code 1 on cracks.");
   CLI::App* self = &app;
   return [a, self] {
+    if (!a->report.empty()) check_writable(a->report);
     a->scene_given = self->count("--mesh") + self->count("--displacement") > 0;
     const check_report report = run_check(*a);
     for (std::string const& line : report.warnings) std::fprintf(stderr, "relievo: warning: %s\n", line.c_str());

@@ -5,6 +5,8 @@
 #include <memory>
 #include <sstream>
 
+#include "golden/edge/redecision_summary.hpp"
+#include "golden/surface/summed_area_table.hpp"
 #include "tb/commands/commands.hpp"
 #include "tb/commands/reporting.hpp"
 #include "tb/commands/scene_arguments.hpp"
@@ -20,8 +22,53 @@ std::vector<std::string> split_names(std::string const& text) {
   for (std::string name; std::getline(in, name, ',');) names.push_back(name);
   if (names.size() < 2) throw input_error("--models: '" + text + "' names fewer than two models; right would be golden,hls");
   for (std::string const& name : names)
-    if (name == "ideal") throw input_error("--models: ideal is not rounded and equals no other model word for word; take golden,hls");
+    if (check_model_name(name); name == "ideal")
+      throw input_error("--models: ideal is not rounded and equals no other model word for word; take golden,hls");
   return names;
+}
+
+// What the ideal decides on the records of a golden run, edge by edge.
+golden::redecision_summary decide_again(scene const& sc) {
+  std::vector<std::uint64_t> table;
+  if (sc.regs.pass.use_sht) table = golden::summed_area_table(sc.map.texels.data(), sc.map.width, sc.map.height);
+  const golden::redecide redecide(sc.regs, {sc.map.texels.data(), table.empty() ? nullptr : table.data(), sc.normal_map});
+  golden::redecision_summary summary;
+  run_hooks hooks;
+  hooks.traced = [&](golden::edge_trace const& e) { summary.add(e, redecide(e)); };
+  make_model("golden", sc)->run(hooks);
+  return summary;
+}
+
+nlohmann::json to_json(golden::redecision_summary const& s) {
+  nlohmann::json json = {
+      {"edges", s.edges}, {"splits_differing", s.splits}, {"places_differing", s.places}, {"middles_moved", s.middles_moved}};
+  s.each_test([&](char const* name, golden::test_summary const& t) {
+    if (t.compared != 0)
+      json["tests"][name] = {{"compared", t.compared},           {"differing", t.differing},
+                             {"unexplained", t.unexplained},     {"largest_change", t.largest_change},
+                             {"largest_bound", t.largest_bound}, {"largest_share_of_threshold", t.largest_share}};
+  });
+  s.each_register([&](char const* name, golden::register_summary const& r) {
+    json["registers"][name] = {{"words", r.words}, {"max_lsb", r.largest}, {"rms_lsb", r.rms()}};
+  });
+  return json;
+}
+
+void print_decisions(golden::redecision_summary const& s) {
+  print_row("ideal on golden", grouped(s.splits) + " of " + grouped(s.edges) + " edges decided otherwise");
+  s.each_test([](char const* name, golden::test_summary const& t) {
+    if (t.compared == 0) return;
+    char line[160];
+    std::snprintf(line, sizeof line, "%s differ, at most %.4f %% of the threshold; %s beyond the derived margin",
+                  grouped(t.differing).c_str(), 100.0 * t.largest_share, grouped(t.unexplained).c_str());
+    print_row(std::string("  ") + name, line);
+  });
+  s.each_register([](char const* name, golden::register_summary const& r) {
+    if (r.words == 0) return;
+    char line[100];
+    std::snprintf(line, sizeof line, "at most %.3f LSB, RMS %.3f", r.largest, r.rms());
+    print_row(std::string("  ") + name, line);
+  });
 }
 
 std::string rate_text(double per_second) {
@@ -37,16 +84,19 @@ command add_compare(CLI::App& app) {
     scene_arguments scene;
     output_arguments out;
     std::string models = "golden,hls";
-    bool rate = false;
+    bool rate = false, decisions = false;
   };
   const auto a = std::make_shared<arguments>();
   app.add_option("--models", a->models, "two or more of golden,hls")->capture_default_str();
   a->scene.add_to(app);
   a->out.add_to(app);
   app.add_flag("--rate", a->rate, "measure the models' rates too")->group("Output");
+  app.add_flag("--decisions", a->decisions, "let the ideal model decide every edge of the golden run again, and print the differences")
+      ->group("Output");
   app.footer("Example: relievo compare --mesh sphere:8 --displacement sine --models golden,hls\nExit code 1 when a word differs.");
   return [a] {
     const std::vector<std::string> names = split_names(a->models);
+    a->out.check(names.back());
     const scene sc = a->scene.make();
     std::vector<run_result> runs;
     for (std::string const& name : names) {
@@ -68,6 +118,11 @@ command add_compare(CLI::App& app) {
         report["edge_tests_per_second"][name] = rate;
         print_row("rate, " + name, rate_text(rate));
       }
+    }
+    if (a->decisions) {
+      const golden::redecision_summary summary = decide_again(sc);
+      print_decisions(summary);
+      report["decisions"] = to_json(summary);
     }
     bool equal = true;
     std::string text, first_difference;

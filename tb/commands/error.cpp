@@ -6,6 +6,7 @@
 #include "tb/commands/commands.hpp"
 #include "tb/commands/reporting.hpp"
 #include "tb/commands/scene_arguments.hpp"
+#include "tb/host/files.hpp"
 #include "tb/host/read_mesh.hpp"
 
 namespace relievo::tb {
@@ -31,6 +32,7 @@ command add_error(CLI::App& app) {
   app.add_option("--report", a->report, "OUT.json")->group("Output");
   app.footer("Example: relievo error donut.ply --mesh plane:8 --displacement half-donut");
   return [a] {
+    if (!a->report.empty()) check_writable(a->report);
     const scene sc = a->scene.make();
     const surface displaced = world_surface(read_any_mesh(a->mesh), sc);
     const height_map heights = measured_map(sc);

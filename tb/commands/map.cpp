@@ -102,6 +102,7 @@ command add_map(CLI::App& app) {
   const auto a = std::make_shared<arguments>();
   const auto chosen = std::make_shared<int (*)(arguments const&)>(nullptr);
   app.require_subcommand(1);
+  app.footer("Example: relievo map generate half-donut:512,512 -o donut.png && relievo map info donut.png");
   const auto add = [&](char const* name, char const* what, int (*run)(arguments const&), bool writes, char const* example) {
     CLI::App* sub = app.add_subcommand(name, what);
     if (run == write_generated)
@@ -119,7 +120,10 @@ command add_map(CLI::App& app) {
       "Example: relievo map normals terrain.png --scale 0.2 -o terrain_normals.ppm");
   add("generate", "a generated map as a 16-bit .png", write_generated, true,
       "Example: relievo map generate half-donut:512,512 -o donut.png");
-  return [a, chosen] { return (*chosen)(*a); };
+  return [a, chosen] {
+    if (!a->output.empty()) check_writable(a->output);
+    return (*chosen)(*a);
+  };
 }
 
 }  // namespace relievo::tb

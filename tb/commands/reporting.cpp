@@ -1,5 +1,6 @@
 #include "tb/commands/reporting.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 
@@ -7,6 +8,7 @@
 #include "tb/analysis/progress.hpp"
 #include "tb/analysis/scene_surface.hpp"
 #include "tb/host/files.hpp"
+#include "tb/host/input_error.hpp"
 #include "tb/host/write_mesh.hpp"
 
 namespace relievo::tb {
@@ -18,6 +20,28 @@ void output_arguments::add_to(CLI::App& app) {
   app.add_option("--image", image, "OUT.png, a shaded picture")->group("Output");
   app.add_flag("--wireframe", wireframe, "edges over the shading")->group("Output");
   app.add_flag("--measure-error", measure, "measure the error at every sample of the map")->group("Output");
+}
+
+void output_arguments::check(std::string const& model, std::vector<std::string> const& more) const {
+  std::vector<std::string> paths = meshes;
+  for (std::string const& path : meshes) check_mesh_path(path);
+  if (!image.empty()) {
+    if (extension_of(image) != "png") throw input_error(image + ": a picture's extension has to be .png");
+    paths.push_back(image);
+  }
+  if (!report.empty()) paths.push_back(report);
+  for (std::string const& path : more)
+    if (!path.empty()) paths.push_back(path);
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    check_writable(paths[i]);
+    if (std::find(paths.begin(), paths.begin() + static_cast<std::ptrdiff_t>(i), paths[i]) !=
+        paths.begin() + static_cast<std::ptrdiff_t>(i))
+      throw input_error(paths[i] + ": is named as an output twice");
+  }
+  if (!raw) return;
+  if (std::none_of(meshes.begin(), meshes.end(), [](std::string const& path) { return extension_of(path) == "ply"; }))
+    throw input_error("--raw: raw words go into .ply files; an output -o OUT.ply is needed");
+  if (model == "ideal") throw input_error("--raw: the ideal model's output has no raw words; take golden or hls");
 }
 
 nlohmann::json to_json(golden::counters const& counts) {
@@ -83,7 +107,8 @@ void write_outputs(output_arguments const& out, run_result const& run, scene con
 }
 
 void write_report(output_arguments const& out, nlohmann::json const& report) {
-  if (!out.report.empty()) write_bytes(out.report, report.dump(2) + "\n");
+  // A file's name need not be UTF-8.
+  if (!out.report.empty()) write_bytes(out.report, report.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
 }
 
 void print_row(std::string const& label, std::string const& value) { std::printf("  %-22s %s\n", label.c_str(), value.c_str()); }

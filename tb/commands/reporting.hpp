@@ -17,6 +17,9 @@ struct output_arguments {
   std::string report, image;
   bool raw = false, wireframe = false, measure = false;
   void add_to(CLI::App& app);
+  // Before the work: input_error when an output has no usable name or place, two have the same, or --raw asks for what `model` has not.
+  // `more` are the command's own output files.
+  void check(std::string const& model, std::vector<std::string> const& more = {}) const;
 };
 
 nlohmann::json to_json(golden::counters const& counts);

@@ -5,6 +5,7 @@
 #include "tb/commands/reporting.hpp"
 #include "tb/commands/scene_arguments.hpp"
 #include "tb/commands/vectors.hpp"
+#include "tb/host/input_error.hpp"
 
 namespace relievo::tb {
 
@@ -21,6 +22,10 @@ command add_tessellate(CLI::App& app) {
   app.add_option("--vectors", a->vectors, "OUT.vec: the scene and its output as raw words, for replay")->group("Output");
   app.footer("Example: relievo tessellate --mesh plane:8 --displacement half-donut -o donut.ply --image donut.png");
   return [a] {
+    check_model_name(a->model);
+    if (!a->vectors.empty() && a->model == "ideal")
+      throw input_error("--vectors: the ideal model's output has no raw words; take golden or hls");
+    a->out.check(a->model, {a->vectors});
     const scene sc = a->scene.make();
     run_hooks hooks;
     hooks.progress = progress_hook(a->model, sc);
