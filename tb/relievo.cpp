@@ -1,16 +1,40 @@
-// relievo: the command line. Exit codes: 0 done; 1 a comparison or a check failed; 2 the input or the command line is unusable.
+// relievo: the command line. Exit codes:
+//
+//   0   done
+//   1   a comparison or a check failed; what failed is on stdout
+//   2   the input or the command line is unusable, or the machine has not the memory or the place that they need
+//   3   a fault of relievo itself (an exception that no one expected)
+//
+// With 2 and 3 there is exactly one line on stderr, which begins with "relievo: ", and no file is left that this run began.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
+#include <new>
+#include <string>
 #include <vector>
 
 #include "tb/commands/commands.hpp"
 #include "tb/host/input_error.hpp"
 
+namespace {
+
+// One line, whatever file names and arguments bring along.
+int refuse(int code, std::string message) {
+  while (!message.empty() && message.back() == '\n') message.pop_back();
+  for (char& c : message)
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
+  std::fprintf(stderr, "relievo: %s\n", message.c_str());
+  return code;
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
   using namespace relievo::tb;
   CLI::App app("Relievo: displacement mapping in hardware, its models and its checks");
   app.require_subcommand(1);
+  app.footer(
+      "Example: relievo tessellate --mesh plane:8 --displacement half-donut -o donut.ply\nEvery command has --help with an example.");
   struct entry {
     CLI::App* app;
     command run;
@@ -33,14 +57,13 @@ int main(int argc, char** argv) {
       if (e.app->parsed()) return e.run();
   } catch (CLI::ParseError const& e) {
     if (e.get_exit_code() == 0) return app.exit(e);
-    std::fprintf(stderr, "relievo: %s\n", e.what());
-    return 2;
+    return refuse(2, e.what());
   } catch (input_error const& e) {
-    std::fprintf(stderr, "relievo: %s\n", e.what());
-    return 2;
+    return refuse(2, e.what());
   } catch (std::bad_alloc const&) {
-    std::fprintf(stderr, "relievo: out of memory\n");
-    return 2;
+    return refuse(2, "out of memory; a smaller map or fewer generations are needed");
+  } catch (std::exception const& e) {
+    return refuse(3, std::string("internal error: ") + e.what());
   }
   return 0;
 }

@@ -37,6 +37,23 @@ class temporary_file {
   bool kept_ = false;
 };
 
+// The file that a link leads to, so that the link stays one.
+std::string behind_links(std::string const& path) {
+  std::error_code failed;
+  if (!std::filesystem::is_symlink(path, failed)) return path;
+  const std::filesystem::path target = std::filesystem::weakly_canonical(path, failed);
+  return failed ? path : target.string();
+}
+
+void write_and_flush(std::string const& shown, std::string const& path, std::string_view bytes) {
+  errno = 0;
+  std::ofstream file(path, std::ios::binary | std::ios::trunc);
+  if (!file) throw input_error(shown + ": cannot be written: " + reason());
+  file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  file.flush();
+  if (!file) throw input_error(shown + ": cannot be written: " + reason());
+}
+
 }  // namespace
 
 std::string read_bytes(std::string const& path) {
@@ -64,20 +81,32 @@ std::string read_bytes(std::string const& path) {
 }
 
 void write_bytes(std::string const& path, std::string_view bytes) {
+  check_writable(path);
+  std::error_code failed;
+  const auto status = std::filesystem::status(path, failed);
+  if (std::filesystem::exists(status) && status.type() != std::filesystem::file_type::regular) {
+    write_and_flush(path, path, bytes);
+    return;
+  }
+  const std::string target = behind_links(path);
+  temporary_file temporary(target);
+  write_and_flush(path, temporary.path(), bytes);
+  if (std::rename(temporary.path().c_str(), target.c_str()) != 0) throw input_error(path + ": cannot be written: " + reason());
+  temporary.keep();
+}
+
+void check_writable(std::string const& path) {
   std::error_code failed;
   if (path.empty()) throw input_error("the output's file name is empty");
-  if (std::filesystem::is_directory(path, failed)) throw input_error(path + ": is a folder, cannot be written as a file");
-  temporary_file temporary(path);
+  const auto status = std::filesystem::status(path, failed);
+  if (status.type() == std::filesystem::file_type::directory) throw input_error(path + ": is a folder, cannot be written as a file");
+  const bool in_place = std::filesystem::exists(status) && status.type() != std::filesystem::file_type::regular;
+  const std::filesystem::path folder = std::filesystem::path(behind_links(path)).parent_path();
+  const std::string asked = in_place ? path : folder.empty() ? "." : folder.string();
   errno = 0;
-  {
-    std::ofstream file(temporary.path(), std::ios::binary | std::ios::trunc);
-    if (!file) throw input_error(path + ": cannot be written: " + reason());
-    file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    file.flush();
-    if (!file) throw input_error(path + ": cannot be written: " + reason());
-  }
-  if (std::rename(temporary.path().c_str(), path.c_str()) != 0) throw input_error(path + ": cannot be written: " + reason());
-  temporary.keep();
+  // Whoever may not list a folder may still write there.
+  if (::access(asked.c_str(), in_place ? W_OK : W_OK | X_OK) != 0) throw input_error(path + ": cannot be written: " + reason());
+  if (!in_place && !std::filesystem::is_directory(asked, failed)) throw input_error(path + ": cannot be written: no such folder");
 }
 
 std::string extension_of(std::string const& path) {

@@ -207,6 +207,9 @@ class glb_reader {
 
 loose_mesh read_any_glb(std::string_view bytes, std::string const& name) {
   if (bytes.size() < 20 || bytes.substr(0, 4) != "glTF") throw input_error(name + ": no .glb file, it has to begin with 'glTF'");
+  std::uint32_t version = 0;  // the lowest byte first, whatever the machine's order
+  for (std::size_t i = 0; i < 4; ++i) version |= static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[4 + i])) << (8 * i);
+  if (version != 2) throw input_error(name + ": is glTF of version " + std::to_string(version) + "; version 2 is needed");
   if (bytes.size() > 0xffffffffu) throw input_error(name + ": the file is larger than 4 GiB");
   tinygltf::TinyGLTF loader;
   loader.SetImageLoader(

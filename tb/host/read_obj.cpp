@@ -170,6 +170,8 @@ obj_statements look_through(std::string_view bytes, std::string const& name) {
 }  // namespace
 
 loose_mesh read_any_obj(std::string_view bytes, std::string const& name) {
+  constexpr std::string_view utf8_mark = "\xef\xbb\xbf";
+  if (bytes.substr(0, utf8_mark.size()) == utf8_mark) bytes.remove_prefix(utf8_mark.size());
   if (bytes.find('\0') != std::string_view::npos) throw input_error(name + ": holds a zero byte, so it is no .obj text");
   const obj_statements statements = look_through(bytes, name);
   loose_mesh out;

@@ -44,19 +44,23 @@ std::string obj_text(mesh const& m) {
   return text;
 }
 
-void write_mesh(std::string const& path, std::vector<golden::triangle_out> const& triangles, scene const& sc, bool raw) {
+void check_mesh_path(std::string const& path) {
   const std::string extension = extension_of(path);
   if (extension != "obj" && extension != "ply" && extension != "glb")
     throw input_error(path + ": the extension has to be .obj, .ply or .glb");
+}
+
+void write_mesh(std::string const& path, std::vector<golden::triangle_out> const& triangles, scene const& sc, bool raw) {
+  check_mesh_path(path);
+  const std::string extension = extension_of(path);
   if (raw && extension != "ply") throw input_error(path + ": raw words go into .ply files only");
   const mesh m = welded(triangles, sc, raw);
   write_bytes(path, extension == "obj" ? obj_text(m) : extension == "ply" ? ply_bytes(m) : glb_bytes(m, path));
 }
 
 void write_base_mesh(std::string const& path, mesh const& m) {
+  check_mesh_path(path);
   const std::string extension = extension_of(path);
-  if (extension != "obj" && extension != "ply" && extension != "glb")
-    throw input_error(path + ": the extension has to be .obj, .ply or .glb");
   write_bytes(path, extension == "obj" ? obj_text(m) : extension == "ply" ? ply_bytes(m) : glb_bytes(m, path));
 }
 

@@ -18,6 +18,8 @@
 
 namespace relievo::tb {
 
+// input_error unless the name ends as one of the forms above.
+void check_mesh_path(std::string const& path);
 void write_mesh(std::string const& path, std::vector<golden::triangle_out> const& triangles, scene const& sc, bool raw = false);
 
 // A mesh in world units, likewise by extension (base meshes as files).

@@ -128,11 +128,16 @@ std::vector<std::string> const& model_names() {
   return names;
 }
 
+void check_model_name(std::string const& name) {
+  if (std::find(model_names().begin(), model_names().end(), name) == model_names().end())
+    throw input_error("--model: '" + name + "' is no model; known are ideal, golden, hls");
+}
+
 std::unique_ptr<model> make_model(std::string const& name, scene const& sc) {
+  check_model_name(name);
   if (name == "ideal") return std::make_unique<golden_model<golden::exact>>(sc);
   if (name == "golden") return std::make_unique<golden_model<golden::rounded>>(sc);
-  if (name == "hls") return std::make_unique<hls_model>(sc);
-  throw input_error("--model: '" + name + "' is no model; known are ideal, golden, hls");
+  return std::make_unique<hls_model>(sc);
 }
 
 run_result run_model(std::string const& name, scene const& sc, run_hooks hooks) {

@@ -35,6 +35,7 @@ class model {
 // input_error for an unknown name; its line lists the known ones.
 std::unique_ptr<model> make_model(std::string const& name, scene const& sc);
 std::vector<std::string> const& model_names();
+void check_model_name(std::string const& name);  // the same input_error, without a scene
 
 // Room in every model's triangle queue: enough for the paper's FIFO mode on a few thousand base triangles without a fallback.
 constexpr int queue_depth = 8192;
