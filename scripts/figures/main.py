@@ -116,7 +116,9 @@ def triangles_on_water(mesh, spec):
     for _, a, b, c, _ in struct.iter_unpack("<BIIII", data[size * vertices:]):
         place = tuple(int(n * sum(u[v][axis] for v in (a, b, c)) / 3) for axis in (s, t))
         on_water += place in water
-    return {"water_base_triangles": 2 * len(water), "water_triangles": on_water}
+    faces = (len(data) - size * vertices) // 17
+    return {"water_base_triangles": 2 * len(water), "water_triangles": on_water,
+            "land_base_triangles": 2 * (n * n - len(water)), "land_triangles": faces - on_water}
 
 
 def make_maps():
@@ -124,7 +126,7 @@ def make_maps():
     maps.from_formula(BETWEEN / "ripple.pgm", 256, 256, maps.ripple)
     maps.from_formula(BETWEEN / "vase.pgm", 512, 456, maps.vase)
     maps.from_formula(BETWEEN / "studs.pgm", 512, 512, maps.studs)
-    maps.flooded(BETWEEN / "lake.pgm", scenes.TERRAIN, round((330 - 236) * 65535 / 840))
+    maps.flooded(BETWEEN / "lake.pgm", scenes.TERRAIN, round((400 - 236) * 65535 / 840))
 
 
 def local_rows(data):

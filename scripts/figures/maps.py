@@ -44,7 +44,7 @@ def bump(x, _):
 def ripple(x, _):
     """Figure 5 b: point-symmetric about the edge's middle, flat at its ends; every average is one half."""
     c = (x - 127.5) / 84
-    return 0.5 + 0.5 * math.sin(5 * math.pi * c) * math.sqrt(math.cos(math.pi * c / 2)) if abs(c) < 1 else 0.5
+    return 0.5 + 0.5 * math.sin(3 * math.pi * c) * math.sqrt(math.cos(math.pi * c / 2)) if abs(c) < 1 else 0.5
 
 
 def vase(x, y):

@@ -25,7 +25,7 @@ def tests(names, normal=None, height=None, profile=None, view=None, generation=N
 
 
 def figure_5():
-    eye = camera("0.35,-2.5,1.25", "0,-0.02,0.09", 32, "460x250")
+    eye = camera("-1.15,-2.4,1.35", "0.06,-0.09,-0.02", 37, "460x270")
     for key, name in (("bump", "bump"), ("ripple", "ripple")):
         for kind, words, which in (("nt", "normal test alone", tests("nt,ct", normal=0.15)),
                                    ("sht", "summed height test alone", tests("sht,ct", height=40000)),
@@ -35,12 +35,19 @@ def figure_5():
                    "args": ["--mesh", "plane:1", "--displacement", f"out/figures/{key}.pgm"] + which + eye, "views": {"": WIREFRAME}}
 
 
+def sinusoid():
+    eye = camera("-1.15,-2.4,1.35", "0.06,-0.09,-0.02", 37, "460x270")
+    for kind, words, which in (("both", "both tests", tests("nt,sht,ct", normal=0.1, height=40000)), ("pt", "profile test", tests("pt", profile=1500))):
+        yield {"key": f"sinusoid-{kind}", "figure": "Sinusoid", "variant": words,
+               "args": ["--mesh", "plane:1", "--displacement", "sine", "--address", "wrap"] + which + eye, "views": {"": WIREFRAME}}
+
+
 def figure_10():
     eye = camera("0,-2.2,1.95", "0,-0.06,0.02", 34, "640x380")
     for kind, words, which in (("nt", "normal test alone", tests("nt,ct", normal=0.35, generation=5)),
                                ("sht", "summed height test alone", tests("sht,ct", height=200000, generation=5)),
                                ("both", "both", tests("nt,sht,ct", normal=0.35, height=200000, generation=5)),
-                               ("pt", "profile test", tests("pt", profile=3750))):
+                               ("pt", "profile test", tests("pt", profile=4300))):
         yield {"key": f"figure-10-{kind}", "figure": "Figure 10", "variant": words,
                "args": ["--mesh", "plane:3", "--displacement", "half-donut"] + which + eye, "views": {"": WIREFRAME}}
 
@@ -60,26 +67,26 @@ def jacksboro():
 
 
 def figure_11a():
-    args = ["--mesh", "plane:16", "--displacement", "out/figures/lake.pgm", "--sample-range", "236,1076"]
-    eye = camera("1.5,-1.9,1.5", "0.06,-0.06,-0.02", 34, "800x480")
-    yield {"key": "figure-11-a", "figure": "Figure 11 a", "variant": "Jacksboro, flooded to 330 m", "water": (16, 330, 330),
-           "args": args + tests("nt,sht,vt,ct", normal=0.6, height=500, view=4) + eye, "views": {"": WIREFRAME, "-shaded": []}}
+    args = ["--mesh", "plane:16", "--displacement", "out/figures/lake.pgm", "--sample-range", "236,1076", "--scale", "0.2"]
+    eye = camera("2.2,-1.5,1.7", "0.1,0.0,-0.03", 33, "800x460")
+    yield {"key": "figure-11-a", "figure": "Figure 11 a", "variant": "Jacksboro, flooded to 400 m", "water": (16, 400, 400),
+           "args": args + tests("nt,sht,vt,ct", normal=1.1, height=500, view=4) + eye, "views": {"": WIREFRAME, "-shaded": []}}
 
 
 def figure_11b():
-    eye = camera("2.2,-4.6,2.9", "0.16,0,0.66", 25, "800x480")
+    eye = camera("2.2,-4.6,2.9", "0.16,0,0.66", 24, "640x400")
     yield {"key": "figure-11-b", "figure": "Figure 11 b", "variant": "half donut on the teapot's 28 patches",
            "args": ["--mesh", "teapot:4", "--displacement", "half-donut", "--scale", "0.07"] +
                    tests("nt,sht,vt,ct", normal=0.3, height=100000, view=3, generation=5) + eye, "views": {"": WIREFRAME, "-shaded": []}}
 
 
 def figure_11c():
-    eye = camera("0,-2.2,1.95", "0,-0.06,0.02", 34, "800x480")
+    eye = camera("0,-2.2,1.95", "0,-0.06,0.02", 34, "640x380")
     yield {"key": "figure-11-c-first", "figure": "Figure 11 c", "variant": "first map: half donut over the plane", "keep": True,
-           "args": ["--mesh", "plane:3", "--displacement", "half-donut"] + tests("nt,sht,ct", normal=0.25, height=100000, generation=5) + eye}
+           "args": ["--mesh", "plane:3", "--displacement", "half-donut"] + tests("nt,sht,ct", normal=0.25, height=100000, generation=5) + eye, "views": {"": WIREFRAME}}
     yield {"key": "figure-11-c", "figure": "Figure 11 c", "variant": "second map: studs over that mesh",
            "args": ["--mesh", "out/figures/figure-11-c-first.ply", "--displacement", "out/figures/studs.pgm", "--scale", "0.03"] +
-                   tests("nt,sht,ct", normal=0.35, height=100000) + eye, "views": {"": []}}
+                   tests("nt,sht,ct", normal=0.2, height=30000) + eye, "views": {"": []}}
 
 
 def figure_9(key, name, args, which, direction, at, near, closeup):
@@ -113,13 +120,13 @@ def coordinate_test():
 
 
 def committed():
-    for rows in (figure_5(), figure_10(), jacksboro(), figure_11a(), figure_11b(), figure_11c(), vase(), coordinate_test()):
+    for rows in (figure_5(), sinusoid(), figure_10(), jacksboro(), figure_11a(), figure_11b(), figure_11c(), vase(), coordinate_test()):
         yield from rows
 
 
 def crater(low, high):
     args = ["--mesh", "plane:16", "--displacement", "out/figures/crater.pgm", "--sample-range", f"{low},{high}"]
-    eye = camera("1.3,-2.2,1.6", "0.0,-0.08,-0.02", 36, "800x520")
+    eye = camera("1.3,-2.1,1.6", "-0.02,-0.08,-0.02", 33, "800x480")
     yield {"key": "figure-11-a-crater", "figure": "Figure 11 a", "variant": "Crater Lake", "water": (16, 1880, 1895),
            "args": args + tests("nt,sht,vt,ct", normal=0.6, height=500, view=4) + eye, "views": {"": WIREFRAME, "-shaded": []}}
 
