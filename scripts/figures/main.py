@@ -126,7 +126,7 @@ def make_maps():
     maps.from_formula(BETWEEN / "ripple.pgm", 256, 256, maps.ripple)
     maps.from_formula(BETWEEN / "vase.pgm", 512, 456, maps.vase)
     maps.from_formula(BETWEEN / "studs.pgm", 512, 512, maps.studs)
-    maps.flooded(BETWEEN / "lake.pgm", scenes.TERRAIN, round((400 - 236) * 65535 / 840))
+    maps.flooded(BETWEEN / "lake.pgm", scenes.TERRAIN, round((420 - 236) * 65535 / 840))
 
 
 def local_rows(data):

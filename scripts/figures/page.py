@@ -40,7 +40,8 @@ def pair(record, rms="rms", largest="max"):
 
 
 def comparison(rows):
-    head = ["RMS / maximum, m", "triangles", "relievo", "greedy insertion (external)", "uniform grid", "RMS ÷ greedy", "RMS ÷ uniform"]
+    head = ["RMS / maximum, m", "triangles", "relievo", "greedy insertion (external)", "uniform grid",
+            "RMS ÷ greedy", "RMS ÷ uniform"]
     lines = []
     for r in rows:
         cited, uniform = r.get("cited"), r["uniform"]
@@ -52,8 +53,9 @@ def comparison(rows):
 def saving(rows):
     lines = []
     for off, on in zip(rows[::2], rows[1::2]):
-        lines.append([off["variant"].replace(", without ct", ""), number(off["triangles"]), number(on["triangles"]),
-                      f"{100 * (1 - on['triangles'] / off['triangles']):.0f} %", f"{number(off['rms'])} → {number(on['rms'])} {on['unit']}"])
+        share = f"{100 * (1 - on['triangles'] / off['triangles']):.0f} %"
+        lines.append([off["variant"].replace(", without ct", ""), number(off["triangles"]), number(on["triangles"]), share,
+                      f"{number(off['rms'])} → {number(on['rms'])} {on['unit']}"])
     return markdown(["", "without ct", "with ct", "saved", "RMS without → with ct"], lines)
 
 
@@ -82,7 +84,7 @@ def gallery(rows):
     out = ["# Figures of data that the repository does not hold", "", "Made by `scripts/figures.sh` from `../shared/data`."]
     for figure in dict.fromkeys(r["figure"] for r in rows):
         group = [r for r in rows if r["figure"] == figure]
-        out += ["", f"## {figure}", "", " ".join(f"![{r['variant']}]({p})" for r in group for p in r["pictures"]), "", table(group)]
+        out += ["", f"## {figure}", "", " ".join(f"![{r['variant']}]({p})" for r in group for p in r["pictures"]), "", saving(group) if figure == "Tex coord test" else table(group)]
         out += [f"\n{r['variant']}: {r['water_triangles']:,} triangles on the {r['water_base_triangles']:,} base triangles of open water."
                 for r in group if "water_triangles" in r]
     return "\n".join(out) + "\n"

@@ -37,7 +37,8 @@ def figure_5():
 
 def sinusoid():
     eye = camera("-1.15,-2.4,1.35", "0.06,-0.09,-0.02", 37, "460x270")
-    for kind, words, which in (("both", "both tests", tests("nt,sht,ct", normal=0.1, height=40000)), ("pt", "profile test", tests("pt", profile=1500))):
+    for kind, words, which in (("both", "both tests", tests("nt,sht,ct", normal=0.1, height=40000)),
+                               ("pt", "profile test", tests("pt", profile=1500))):
         yield {"key": f"sinusoid-{kind}", "figure": "Sinusoid", "variant": words,
                "args": ["--mesh", "plane:1", "--displacement", "sine", "--address", "wrap"] + which + eye, "views": {"": WIREFRAME}}
 
@@ -62,15 +63,16 @@ def jacksboro():
             row["split"] = "jacksboro"
         yield row
     for triangles, normal, height in ((6417, 1.88, 376), (20697, 1.04, 207)):
-        yield {"key": f"jacksboro-paper-{triangles}", "figure": "Jacksboro", "variant": f"the paper's four tests, {normal:g} and {height} m·texels",
+        yield {"key": f"jacksboro-paper-{triangles}", "figure": "Jacksboro",
+               "variant": f"the paper's four tests, {normal:g} and {height} m·texels",
                "args": JACKSBORO + tests("nt,sht,vt,ct", normal=normal, height=height, view=1)}
 
 
 def figure_11a():
-    args = ["--mesh", "plane:16", "--displacement", "out/figures/lake.pgm", "--sample-range", "236,1076", "--scale", "0.2"]
-    eye = camera("2.2,-1.5,1.7", "0.1,0.0,-0.03", 33, "800x460")
-    yield {"key": "figure-11-a", "figure": "Figure 11 a", "variant": "Jacksboro, flooded to 400 m", "water": (16, 400, 400),
-           "args": args + tests("nt,sht,vt,ct", normal=1.1, height=500, view=4) + eye, "views": {"": WIREFRAME, "-shaded": []}}
+    args = ["--mesh", "plane:24", "--displacement", "out/figures/lake.pgm", "--sample-range", "236,1076", "--scale", "0.2"]
+    eye = camera("2.2,-1.5,1.7", "0.1,0.0,-0.03", 34, "640x400")
+    yield {"key": "figure-11-a", "figure": "Figure 11 a", "variant": "Jacksboro, flooded to 420 m", "water": (24, 420, 420),
+           "args": args + tests("nt,sht,vt,ct", normal=0.9, height=500, view=4) + eye, "views": {"": WIREFRAME, "-shaded": []}}
 
 
 def figure_11b():
@@ -83,7 +85,8 @@ def figure_11b():
 def figure_11c():
     eye = camera("0,-2.2,1.95", "0,-0.06,0.02", 34, "640x380")
     yield {"key": "figure-11-c-first", "figure": "Figure 11 c", "variant": "first map: half donut over the plane", "keep": True,
-           "args": ["--mesh", "plane:3", "--displacement", "half-donut"] + tests("nt,sht,ct", normal=0.25, height=100000, generation=5) + eye, "views": {"": WIREFRAME}}
+           "args": ["--mesh", "plane:3", "--displacement", "half-donut"] +
+                   tests("nt,sht,ct", normal=0.25, height=100000, generation=5) + eye, "views": {"": WIREFRAME}}
     yield {"key": "figure-11-c", "figure": "Figure 11 c", "variant": "second map: studs over that mesh",
            "args": ["--mesh", "out/figures/figure-11-c-first.ply", "--displacement", "out/figures/studs.pgm", "--scale", "0.03"] +
                    tests("nt,sht,ct", normal=0.2, height=30000) + eye, "views": {"": []}}
@@ -116,7 +119,8 @@ def coordinate_test():
     for key, name, args, normal, height, generation in scenes:
         for kind, words in (("nt,sht", "without ct"), ("nt,sht,ct", "with ct")):
             yield {"key": f"ct-{key}-{'on' if 'ct' in kind else 'off'}", "figure": "Tex coord test",
-                   "variant": f"{name}, generation limit {generation}, {words}", "args": args + tests(kind, normal, height, generation=generation)}
+                   "variant": f"{name}, generation limit {generation}, {words}",
+                   "args": args + tests(kind, normal, height, generation=generation)}
 
 
 def committed():
@@ -125,9 +129,9 @@ def committed():
 
 
 def crater(low, high):
-    args = ["--mesh", "plane:16", "--displacement", "out/figures/crater.pgm", "--sample-range", f"{low},{high}"]
-    eye = camera("1.3,-2.1,1.6", "-0.02,-0.08,-0.02", 33, "800x480")
-    yield {"key": "figure-11-a-crater", "figure": "Figure 11 a", "variant": "Crater Lake", "water": (16, 1880, 1895),
+    args = ["--mesh", "plane:24", "--displacement", "out/figures/crater.pgm", "--sample-range", f"{low},{high}"]
+    eye = camera("1.3,-2.1,1.6", "-0.02,-0.08,-0.02", 32, "640x400")
+    yield {"key": "figure-11-a-crater", "figure": "Figure 11 a", "variant": "Crater Lake", "water": (24, 1880, 1895),
            "args": args + tests("nt,sht,vt,ct", normal=0.6, height=500, view=4) + eye, "views": {"": WIREFRAME, "-shaded": []}}
 
 
