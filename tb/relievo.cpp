@@ -5,7 +5,7 @@
 //   2   the input or the command line is unusable, or the machine has not the memory or the place that they need
 //   3   a fault of relievo itself (an exception that no one expected)
 //
-// With 2 and 3 there is exactly one line on stderr, which begins with "relievo: ", and no file is left that this run began.
+// With 2 and 3 there is exactly one line on stderr that begins with "relievo: ", but for warnings before it, and no partial file is left.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>

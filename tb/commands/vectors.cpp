@@ -183,13 +183,20 @@ unit_vectors record_unit(pure_unit const& unit, std::size_t count, std::uint64_t
   const auto draw = [&](std::vector<field> const& fields, std::size_t i) {
     words w;
     for (field const& f : fields) {
-      const std::int64_t corners[] = {0, 1, f.min(), f.max()};
+      // The weight of an edge's second end is 0..16 by the units' contract; its format's other words mean nothing.
+      constexpr std::int64_t whole = 16;
+      const bool weight = f.name == "k";
+      const std::int64_t corners[] = {0, 1, f.min(), weight ? whole : f.max()};
       // The first records run through the corners, the others are uniform over the words.
       if (i < 4) {
         w.push_back(corners[i]);
         continue;
       }
       const int unused = 64 - f.width;
+      if (weight) {
+        w.push_back(static_cast<std::int64_t>(random() % (whole + 1)));
+        continue;
+      }
       const std::uint64_t bits = random() << unused;
       w.push_back(f.is_signed ? static_cast<std::int64_t>(bits) >> unused : static_cast<std::int64_t>(bits >> unused));
     }

@@ -20,10 +20,12 @@ constexpr std::uintmax_t max_file_size = std::uintmax_t(1) << 32;
 
 std::string reason() { return errno != 0 ? std::strerror(errno) : "unknown reason"; }
 
+std::string temporary_name(std::string const& target) { return target + ".part." + std::to_string(::getpid()); }
+
 // Removes the temporary file unless it was renamed.
 class temporary_file {
  public:
-  explicit temporary_file(std::string const& target) : path_(target + ".part." + std::to_string(::getpid())) {}
+  explicit temporary_file(std::string const& target) : path_(temporary_name(target)) {}
   temporary_file(temporary_file const&) = delete;
   temporary_file& operator=(temporary_file const&) = delete;
   ~temporary_file() {
@@ -37,12 +39,17 @@ class temporary_file {
   bool kept_ = false;
 };
 
-// The file that a link leads to, so that the link stays one.
+// The file that a link leads to, be it there or not, so that the link stays one.
 std::string behind_links(std::string const& path) {
+  std::filesystem::path at = path;
   std::error_code failed;
-  if (!std::filesystem::is_symlink(path, failed)) return path;
-  const std::filesystem::path target = std::filesystem::weakly_canonical(path, failed);
-  return failed ? path : target.string();
+  constexpr int most = 40;
+  for (int i = 0; i < most && std::filesystem::is_symlink(at, failed); ++i) {
+    const std::filesystem::path next = std::filesystem::read_symlink(at, failed);
+    if (failed) return path;
+    at = next.is_absolute() ? next : at.parent_path() / next;
+  }
+  return at.string();
 }
 
 void write_and_flush(std::string const& shown, std::string const& path, std::string_view bytes) {
@@ -84,10 +91,8 @@ void write_bytes(std::string const& path, std::string_view bytes) {
   check_writable(path);
   std::error_code failed;
   const auto status = std::filesystem::status(path, failed);
-  if (std::filesystem::exists(status) && status.type() != std::filesystem::file_type::regular) {
-    write_and_flush(path, path, bytes);
-    return;
-  }
+  const bool in_place = std::filesystem::exists(status) && status.type() != std::filesystem::file_type::regular;
+  if (in_place) return write_and_flush(path, path, bytes);
   const std::string target = behind_links(path);
   temporary_file temporary(target);
   write_and_flush(path, temporary.path(), bytes);
@@ -107,6 +112,11 @@ void check_writable(std::string const& path) {
   // Whoever may not list a folder may still write there.
   if (::access(asked.c_str(), in_place ? W_OK : W_OK | X_OK) != 0) throw input_error(path + ": cannot be written: " + reason());
   if (!in_place && !std::filesystem::is_directory(asked, failed)) throw input_error(path + ": cannot be written: no such folder");
+  if (in_place) return;
+  // Names that the file system does not take show up here.
+  const bool there = std::filesystem::exists(std::filesystem::symlink_status(temporary_name(behind_links(path)), failed));
+  if (!there && failed && failed != std::errc::no_such_file_or_directory)
+    throw input_error(path + ": cannot be written: " + failed.message());
 }
 
 std::string extension_of(std::string const& path) {
