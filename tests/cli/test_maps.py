@@ -1,6 +1,7 @@
 """relievo map: what it writes has the right size and, where that is quickly said, the right content; maps of the largest size fit."""
 import math
 import os
+import resource
 import struct
 import subprocess
 import time
@@ -79,6 +80,17 @@ class maps(command_line):
         bound = texels * (2 + 8 + 8) + 200 * MIB
         print(f"8192 x 8192: {used.ru_maxrss // 1024} of {bound // MIB} MiB, {time.monotonic() - begun:.1f} s")
         self.assertLess(used.ru_maxrss * 1024, bound)
+
+    @unittest.skipIf(os.environ.get("RELIEVO_SANITIZED") == "1", "a sanitizer needs more address space than that")
+    def test_too_little_memory_is_one_clear_line(self):
+        for mib in (100, 400, 900):
+            with self.subTest(mib=mib):
+                run = subprocess.run([RELIEVO, "tessellate", "--mesh", "plane:1", "--displacement", "constant:8192,8192", "--model", "hls",
+                                      "--max-generation", "1", "-o", "out.ply"], cwd=self.folder, stdin=subprocess.DEVNULL,
+                                     capture_output=True, preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (mib * MIB, mib * MIB)))
+                self.assertEqual((run.returncode, run.stdout), (2, b""), run.stderr)
+                self.assertRegex(run.stderr.decode(), r"\Arelievo: out of memory[^\n]*\n\Z")
+                self.assertEqual(self.all_files(), {})
 
 
 if __name__ == "__main__":
