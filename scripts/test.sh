@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# The whole regression: installs, builds and runs every test. Further arguments go to ctest, for example -L unit.
+# The whole regression: installs, builds and runs every test, then units and scenes under sanitizers and the readers under libFuzzer.
+# With arguments only ctest runs, and gets them: scripts/test.sh -L unit
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 started=$SECONDS
@@ -11,6 +12,18 @@ built=$SECONDS
 
 status=0
 ctest --test-dir "$root/build" -j2 --output-on-failure "$@" || status=$?
-printf 'install %d s, build %d s, tests %d s: %s\n' $((installed - started)) $((built - installed)) $((SECONDS - built)) \
-  "$([[ $status == 0 ]] && echo passed || echo FAILED)"
+tested=$SECONDS
+
+# A part of the regression was asked for: the rest is left out.
+(($# == 0)) || exit "$status"
+
+# Units and scenes again under AddressSanitizer and UndefinedBehaviorSanitizer, with fewer vectors; and the readers under libFuzzer.
+"$root/scripts/build.sh" sanitize unit_tests system_tests
+RELIEVO_VECTORS=5000 "$root/build-sanitize/tests/unit_tests" --gtest_brief=1 || status=$?
+"$root/build-sanitize/tests/system_tests" --gtest_brief=1 --gtest_filter='-*jacksboro*:*8192*' || status=$?
+"$root/scripts/build.sh" fuzz fuzz_targets
+ctest --test-dir "$root/build-fuzz" -L fuzz -j2 --output-on-failure || status=$?
+
+printf 'install %d s, build %d s, tests %d s, sanitizers and fuzzing %d s: %s\n' $((installed - started)) $((built - installed)) \
+  $((tested - built)) $((SECONDS - tested)) "$([[ $status == 0 ]] && echo passed || echo FAILED)"
 exit "$status"
