@@ -84,7 +84,9 @@ def gallery(rows):
     out = ["# Figures of data that the repository does not hold", "", "Made by `scripts/figures.sh` from `../shared/data`."]
     for figure in dict.fromkeys(r["figure"] for r in rows):
         group = [r for r in rows if r["figure"] == figure]
-        out += ["", f"## {figure}", "", " ".join(f"![{r['variant']}]({p})" for r in group for p in r["pictures"]), "", saving(group) if figure == "Tex coord test" else table(group)]
+        pictures = " ".join(f"![{r['variant']}]({p})" for r in group for p in r["pictures"])
+        out += ["", f"## {figure}", *(["", pictures] if pictures else []), "",
+                saving(group) if figure == "Tex coord test" else table(group)]
         out += [f"\n{r['variant']}: {r['water_triangles']:,} triangles on {r['water_base_triangles']:,} base triangles of open water."
                 for r in group if "water_triangles" in r]
     return "\n".join(out) + "\n"
