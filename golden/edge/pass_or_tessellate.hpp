@@ -4,7 +4,7 @@
 //   in    nt, sht, pt, ht, vt, ct;  generation   generation;  settled   of the edge
 //   regs  use_*            a test that is not used neither asks for a split nor stops one
 //         max_generation   generation   an edge splits only below it: as printed the recursion does not end
-//         cull             drop finished triangles that show their back at all three vertices (screen-space normals)
+//         cull             drop finished triangles that show their back at all three vertices
 //   out   split
 #pragma once
 #include "hls/core/record.hpp"

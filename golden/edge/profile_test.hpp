@@ -41,7 +41,6 @@ struct profile_test_out {
   RELIEVO_FIELDS(pt, k)
 };
 
-constexpr int profile_intervals_max = 16;
 
 // n, or 0 for an edge too short to have a profile.
 inline int profile_intervals(profile_test_in const& in) {

@@ -66,4 +66,12 @@ RELIEVO_FORMATS(RELIEVO_FORMAT)
 #undef RELIEVO_FORMAT
 }  // namespace formats
 
+// Build parameter: the most intervals that a profile divides an edge into, a power of two from 2 to 16.
+#ifndef RELIEVO_PROFILE_INTERVALS
+#define RELIEVO_PROFILE_INTERVALS 16
+#endif
+constexpr int profile_intervals_max = RELIEVO_PROFILE_INTERVALS;
+static_assert(profile_intervals_max >= 2 && profile_intervals_max <= 16 && (profile_intervals_max & (profile_intervals_max - 1)) == 0,
+              "RELIEVO_PROFILE_INTERVALS is 2, 4, 8 or 16");
+
 }  // namespace relievo

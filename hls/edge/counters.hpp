@@ -9,7 +9,8 @@
 //   queue_high_water, fifo_fallbacks
 //   saturations      displace or bump clipped, screen_saturations transform did, zero_vectors a vector vanished: each counted for
 //                    vertices that enter the mesh
-//   table_reads      4 a rectangle; profile_samples
+//   table_reads      12 a summed height test, three rectangles of four corners (corners beyond a wrapped border read more words)
+//   profile_samples  n + 1 a profile
 #pragma once
 #include <cstdint>
 

@@ -3,7 +3,7 @@
 //   in    p  position[3];  n  unit[3];  u  coordinate[2]
 //   regs  map, displace;  memory displacement
 //   out   p  position[3];  saturated
-//   map_sampler then displace; one quad read; initiation interval 1
+//   map_sampler then displace; one quad read; initiation interval 1 from a memory of four banks, 4 from one port
 #pragma once
 #include "hls/surface/displace.hpp"
 #include "hls/surface/map_sampler.hpp"

@@ -6,10 +6,10 @@
 //   regs  map;  threshold  profile_threshold, samples;  memory displacement
 //   out   pt
 //         k        weight, sixteenths from vertex 1; 8 (the middle) when there is nothing to choose
-//   d = larger extent in texels; d < 1.5: pt false, k = 8; n = smallest power of two >= d, 2 at least and 16 at most.
-//   Samples are taken at the coordinates that a vertex put there would have (calculate_new_u), so e_j is that vertex's own error.
-//   Ties go to the middle, then to the end that precedes. Everything is scaled by n and exact.
-//   n + 1 quad reads; initiation interval n + 1 over samples per clock
+//   d = larger extent in texels; d < 1.5: pt false, k = 8; n = smallest power of two >= d, 2 at least and at most profile_intervals_max
+//   (build parameter, 16). Samples are taken at the coordinates that a vertex put there would have (calculate_new_u), so e_j is that
+//   vertex's own error (a sample at the unrounded place would be that of a point where no vertex can stand). Ties go to the middle, then to
+//   the end that precedes. Everything is scaled by n and exact. n + 1 quad reads; initiation interval (n + 1) / quads per clock
 #pragma once
 #include "hls/edge/calculate_new_u.hpp"
 #include "hls/surface/map_sampler.hpp"
@@ -35,8 +35,6 @@ struct profile_test_out {
 
 namespace detail {
 
-constexpr int profile_intervals = 16;  // the most that are looked at; an edge of more texels is sampled more coarsely
-
 // log2 of the number of intervals, 0 where the edge is shorter than 1.5 texels.
 inline int profile_levels(fixed<formats::coordinate> const (&u1)[2], fixed<formats::coordinate> const (&u2)[2]) {
   const auto du = magnitude(u1[0] - u2[0]);
@@ -45,7 +43,7 @@ inline int profile_levels(fixed<formats::coordinate> const (&u1)[2], fixed<forma
   const std::int64_t texel = std::int64_t(1) << formats::coordinate::fraction;
   if (2 * raw(d) < 3 * texel) return 0;
   int levels = 1;
-  for (int l = 1; l < 4; ++l)
+  for (int l = 1; (2 << l) <= profile_intervals_max; ++l)
     if (raw(d) > (texel << l)) levels = l + 1;
   return levels;
 }
@@ -65,7 +63,7 @@ inline profile_test_out profile_test(profile_test_in const& in, map_regs const& 
 
   std::int64_t best = -1;
   int best_off_middle = 0;
-  for (int j = 1; j < detail::profile_intervals; ++j) {
+  for (int j = 1; j < profile_intervals_max; ++j) {
     if (j >= n) continue;
     const auto place = from_raw<formats::weight>(j << (4 - levels));
     const calculate_new_u_out at = calculate_new_u({{in.u1[0], in.u1[1]}, {in.u2[0], in.u2[1]}, place});

@@ -9,6 +9,10 @@
 //   one push or pop a clock
 #pragma once
 #include "hls/edge/triangle.hpp"
+#ifndef RELIEVO_SYNTHESIS
+#include <cstdio>
+#include <cstdlib>
+#endif
 
 namespace relievo {
 namespace hls {
@@ -27,7 +31,14 @@ class triangle_queue {
   int high_water() const { return high_water_; }
   void start() { first_ = count_ = high_water_ = 0; }
 
+  // Never called on a full queue by an engine whose depth satisfies the rule above; in simulation that is checked.
   void push(triangle const& t) {
+#ifndef RELIEVO_SYNTHESIS
+    if (count_ == Depth) {
+      std::fprintf(stderr, "triangle_queue: push on a full queue of %d entries; 3 max_generation + 4 are needed\n", Depth);
+      std::abort();
+    }
+#endif
     entry_[wrap(first_ + count_)] = t;
     ++count_;
     if (count_ > high_water_) high_water_ = count_;

@@ -7,8 +7,9 @@
 //         saturated  a slope beyond the direction format;  zero  never (the third component is not 0)
 //   Central differences, indices modulo W or H on a wrapped axis; at a clamped border one-sided, twice the difference; a clamped
 //   axis of one texel has slope 0.
-//   registers: s1_direction (direction), n (unit); initiation interval 1
-//   state two lines, and two more that keep rows 0 and 1 for a wrapped v
+//   registers: s1_direction (direction), n (unit)
+//   state two lines and two that keep rows 0 and 1 for a wrapped v, each read and written at most once a clock, and a window of
+//   three texels with the ends of each row; initiation interval 1
 #pragma once
 #include "hls/core/normalize.hpp"
 #include "hls/surface/map_regs.hpp"
@@ -39,28 +40,39 @@ class normal_map {
   // One clock. Returns whether out is valid. While the map is read, texel is the next one; afterwards it is ignored.
   bool step(fixed<formats::texel> texel, map_regs const& map, normal_map_regs const& regs, normal_map_out& out) {
     const std::int32_t width = static_cast<std::int32_t>(raw(map.width)), height = static_cast<std::int32_t>(raw(map.height));
+    const std::int32_t next = x_ < width - 1 ? x_ + 1 : x_;
     const bool reading = y_ < height;
-    texel_type(&older)[MaxWidth] = line_[y_ & 1];
-    texel_type(&newer)[MaxWidth] = line_[(y_ & 1) ^ 1];
-    bool valid = false;
-    if (reading) {
-      // Row y-1 lies complete in newer; older holds row y-2 from here on and row y up to here.
-      if (y_ >= 1 && !(map.wrap_v && y_ == 1)) {
-        out = texel_normal(newer, older[x_], texel, y_ == 1, false, y_ - 1, map, regs);
-        valid = true;
-      }
-      older[x_] = texel;
-      if (y_ == 0) first_[0][x_] = texel;
-      if (y_ == 1) first_[1][x_] = texel;
-    } else if (y_ == height) {
-      // The last row; at a clamped border it has nothing below, on a wrapped axis row 0.
-      out = texel_normal(newer, older[x_], first_[0][x_], false, !map.wrap_v, height - 1, map, regs);
-      valid = true;
-    } else {
-      // Row 0 of a wrapped axis: above it the last row, which lies in older by now.
-      out = texel_normal(first_[0], older[x_], first_[1][x_], false, false, 0, map, regs);
-      valid = true;
+    const bool row_zero = y_ > height;  // row 0 of a wrapped axis, after the last row
+    // Row y-1 lies complete in the newer line; the older holds row y-2 from here on and row y up to here.
+    const bool even_is_older = (y_ & 1) == 0;
+    const texel_type from_even = even_[even_is_older ? x_ : next];
+    const texel_type from_odd = odd_[even_is_older ? next : x_];
+    const texel_type below = even_is_older ? from_even : from_odd;
+    const texel_type from_zero = zero_[row_zero ? next : x_];
+    const texel_type from_one = one_[x_];
+
+    // The window: the row that comes out is row 0 at the very end, the newer line else.
+    row_ends const& ends = row_zero ? zero_ends_ : newer_ends_;
+    if (x_ == 0) {
+      here_ = ends.first;
+      west_ = map.wrap_u ? ends.last : ends.first;
     }
+    const texel_type ahead = row_zero ? from_zero : even_is_older ? from_odd : from_even;
+    const texel_type east = x_ < width - 1 ? ahead : map.wrap_u ? ends.first : here_;
+
+    bool valid = true;
+    if (reading) {
+      valid = y_ >= 1 && !(map.wrap_v && y_ == 1);
+      if (valid) out = texel_normal(east, below, texel, y_ == 1, false, y_ - 1, map, regs);
+      keep(texel, even_is_older, width);
+    } else if (row_zero) {
+      out = texel_normal(east, below, from_one, false, false, 0, map, regs);
+    } else {
+      // The last row: beyond it lies nothing, or row 0.
+      out = texel_normal(east, below, from_zero, false, !map.wrap_v, height - 1, map, regs);
+    }
+    west_ = here_;
+    here_ = east;
     advance(width, height, map);
     return valid;
   }
@@ -75,17 +87,14 @@ class normal_map {
     return one_sided ? exact_to<delta_type>(times_two_to<1>(d)) : exact_to<delta_type>(d);
   }
 
-  normal_map_out texel_normal(texel_type const (&row)[MaxWidth], texel_type below, texel_type above, bool first, bool last, std::int32_t y,
+  normal_map_out texel_normal(texel_type east, texel_type below, texel_type above, bool first, bool last, std::int32_t y,
                               map_regs const& map, normal_map_regs const& regs) const {
-    const std::int32_t width = static_cast<std::int32_t>(raw(map.width));
-    const bool left_border = x_ == 0 && !map.wrap_u, right_border = x_ == width - 1 && !map.wrap_u;
-    const texel_type here = row[x_];
-    const texel_type west = x_ > 0 ? row[x_ - 1] : map.wrap_u ? row[width - 1] : here;
-    const texel_type east = x_ < width - 1 ? row[x_ + 1] : map.wrap_u ? row[0] : here;
+    const texel_type here = here_;
+    const bool border = !map.wrap_u && (x_ == 0 || x_ == raw(map.width) - 1);
     const bool single = raw(map.height) == 1;
     const texel_type south = first || single ? here : below;
     const texel_type north = last || single ? here : above;
-    const auto s0_delta_u = delta(east, west, left_border || right_border);
+    const auto s0_delta_u = delta(east, west_, border);
     const auto s0_delta_v = delta(north, south, first || last);
 
     normal_map_out out;
@@ -105,6 +114,22 @@ class normal_map {
     return out;
   }
 
+  // Stores a texel of the map, and the ends of its row.
+  void keep(texel_type texel, bool even_is_older, std::int32_t width) {
+    if (even_is_older)
+      even_[x_] = texel;
+    else
+      odd_[x_] = texel;
+    if (y_ == 0) zero_[x_] = texel;
+    if (y_ == 1) one_[x_] = texel;
+    if (x_ == 0) reading_ends_.first = texel;
+    if (x_ == width - 1) {
+      reading_ends_.last = texel;
+      newer_ends_ = reading_ends_;
+      if (y_ == 0) zero_ends_ = reading_ends_;
+    }
+  }
+
   void advance(std::int32_t width, std::int32_t height, map_regs const& map) {
     ++x_;
     if (x_ == width) {
@@ -114,8 +139,15 @@ class normal_map {
     }
   }
 
-  texel_type line_[2][MaxWidth];
-  texel_type first_[2][MaxWidth];
+  struct row_ends {
+    texel_type first, last;
+  };
+
+  // Four memories, each read and written at most once a clock.
+  texel_type even_[MaxWidth], odd_[MaxWidth];
+  texel_type zero_[MaxWidth], one_[MaxWidth];
+  row_ends reading_ends_, newer_ends_, zero_ends_;
+  texel_type west_, here_;
   std::int32_t x_ = 0;
   std::int32_t y_ = 0;
 };

@@ -2,7 +2,7 @@
 //   in    u     coordinate[2], texels
 //   regs  map   sizes, clamp or wrap per axis; memory packed normals
 //   out   n     unit[3]: per component the exact bilinear sum, rounded once
-//   one 2 x 2 quad read; initiation interval 1
+//   one 2 x 2 quad read; initiation interval 1 from a memory of four banks, 4 from one port
 #pragma once
 #include "hls/surface/map_address.hpp"
 

@@ -6,7 +6,8 @@
 //   wrapped axis: SAT(x + W, y) = SAT(x, y) + SAT(W, y), as many turns as it takes (at most max_turns: rectangles of the summed
 //     height test reach 2 texels or half a map beyond the border)
 //   clamped axis: the rectangle is clipped to the map, and its sum replaced by round(S/A), a sample, times the full area
-//   four reads, more where a corner lies beyond a wrapped border; modulo 2^40 until the difference is taken
+//   four reads, up to four times as many where corners lie beyond wrapped borders; initiation interval reads / reads per clock;
+//   modulo 2^40 until the difference is taken
 #pragma once
 #include "hls/core/divide.hpp"
 #include "hls/surface/map_regs.hpp"

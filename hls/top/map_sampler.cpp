@@ -3,7 +3,7 @@
 //   map       32 bits  width 14, height 14, wrap_u 1, wrap_v 1
 //   texels    16 bits a texel, displacement
 //   out       24 bits  d 20
-//   one word in, one word out a call; initiation interval 1
+//   one word in, one word out a call; initiation interval 4 with this one-texel port; the unit itself takes 1 from four banks
 #include "hls/top/top.hpp"
 
 using namespace relievo::hls;
@@ -20,7 +20,7 @@ void relievo_map_sampler(port<map_sampler_in>& in, port_word<map_regs> map, std:
 #pragma HLS INTERFACE mode=s_axilite port=map
 #pragma HLS INTERFACE mode=m_axi port=texels offset=slave bundle=texels
 #pragma HLS INTERFACE mode=s_axilite port=return
-#pragma HLS PIPELINE II=1
+#pragma HLS PIPELINE II=4
 #else
 #pragma HLS INTERFACE mode=m_axi port=texels offset=direct
 #endif

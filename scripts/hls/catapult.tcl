@@ -25,7 +25,13 @@ solution library add ccs_sample_mem
 go libraries
 directive set -CLOCKS [list clk [list -CLOCK_PERIOD [setting CLOCK 5]]]
 go assembly
-directive set /relievo_$top/core/main -PIPELINE_INIT_INTERVAL 1
+# The interval that the entry point names in its pragma; none where it names none (the engine).
+set source [open [file join $root hls top $top.cpp]]
+set text [read $source]
+close $source
+if {[regexp {PIPELINE II=(\d+)} $text -> interval]} {
+  directive set /relievo_$top/core/main -PIPELINE_INIT_INTERVAL $interval
+}
 go architect
 go extract
 project save
