@@ -33,6 +33,7 @@ check_report run_check(arguments const& a) {
     return check_output(run.triangles, sc.triangles, sc.regs.map, options);
   }
   const loose_mesh file = read_any_mesh(a.file);
+  if (file.m.triangles.empty()) throw input_error(a.file + ": no triangles; there is nothing to check");
   if (!a.base.empty()) return check_file(file, read_mesh(a.base));
   if (!a.scene_given) return check_file(file);
   const scene sc = make_scene(a.scene.options());

@@ -29,6 +29,7 @@ void output_arguments::check(std::string const& model, std::vector<std::string> 
     if (extension_of(image) != "png") throw input_error(image + ": a picture's extension has to be .png");
     paths.push_back(image);
   }
+  if (wireframe && image.empty()) throw input_error("--wireframe: draws on a picture; name one with --image OUT.png");
   if (!report.empty()) paths.push_back(report);
   for (std::string const& path : more)
     if (!path.empty()) paths.push_back(path);
@@ -60,8 +61,15 @@ nlohmann::json to_json(scene const& sc) {
   add(o.tests.ht, "ht");
   add(o.tests.vt, "vt");
   add(o.tests.ct, "ct");
+  const auto vector = [](glm::dvec3 const& v) { return nlohmann::json::array({v.x, v.y, v.z}); };
   nlohmann::json json = {
+      {"engine", "edge"},
       {"mesh", o.mesh},
+      {"eye", vector(sc.camera.eye)},
+      {"at", vector(sc.camera.at)},
+      {"up", vector(sc.camera.up)},
+      {"fov", sc.camera.fov_degrees},
+      {"viewport", {sc.camera.width, sc.camera.height}},
       {"displacement", o.displacement},
       {"map", {{"width", sc.map.width}, {"height", sc.map.height}, {"wrap_u", sc.map.wrap_u}, {"wrap_v", sc.map.wrap_v}}},
       {"scale", o.scale},
@@ -77,6 +85,7 @@ nlohmann::json to_json(scene const& sc) {
       {"cull", o.cull}};
   if (o.height_threshold) json["height_threshold"] = *o.height_threshold;
   if (o.profile_threshold) json["profile_threshold"] = *o.profile_threshold;
+  if (o.half_vector) json["half_vector"] = vector(*o.half_vector);
   if (o.max_generation) json["max_generation"] = *o.max_generation;
   if (o.near) json["near"] = *o.near;
   if (o.far) json["far"] = *o.far;

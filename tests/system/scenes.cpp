@@ -6,7 +6,6 @@
 #include "tb/host/base_meshes.hpp"
 #include "tb/host/read_mesh.hpp"
 #include "tb/host/write_mesh.hpp"
-#include "tb/model/model.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace relievo::test {
@@ -23,6 +22,14 @@ scene_options options(std::string const& mesh, std::string const& map, std::stri
   o.tests = tb::parse_tests(tests, "tests");
   o.view_threshold = 3.0;
   return o;
+}
+
+// At least one output vertex lies at or behind the eye plane, and at least one before it.
+bool some_behind(tb::run_result const& run) {
+  bool behind = false, before = false;
+  for (golden::triangle_out const& t : run.triangles)
+    for (golden::out_vertex const& v : t.v) (v.behind ? behind : before) = true;
+  return behind && before;
 }
 
 named_scene plain(std::string const& name, scene_options const& o) {
@@ -117,6 +124,7 @@ std::vector<named_scene> make_list() {
     o.at = glm::dvec3(0.0, 0.0, 0.1);
     named_scene culled = plain("jacksboro_culled_from_within", o);
     culled.whole = false;
+    culled.shows = [](tb::run_result const& run) { return run.counts.culled > 0; };
     list.push_back(culled);
     o.cull = false;
     o.fifo = true;
@@ -132,8 +140,8 @@ std::vector<named_scene> make_list() {
   list.push_back(plain("octahedron", options("octahedron", "sine:64,64", "nt,sht,pt,ht,vt,ct")));
   list.push_back({"second_pass", second_pass});
   list.push_back({"eye_before", [] { return eye_scene(0.3); }});
-  list.push_back({"eye_on", [] { return eye_scene(0.0); }});
-  list.push_back({"eye_behind", [] { return eye_scene(-1.0); }});
+  list.push_back({"eye_on", [] { return eye_scene(0.0); }, true, true, some_behind});
+  list.push_back({"eye_behind", [] { return eye_scene(-1.0); }, true, true, some_behind});
   list.push_back({"tiny", [] {
                     scene_options o = options("tiny", "rough map", "nt,sht,pt,ct");
                     o.texel_size = glm::dvec2(0.1);
@@ -148,7 +156,13 @@ std::vector<named_scene> make_list() {
          o.texel_size = glm::dvec2(0.1);
          return tb::make_scene(o, single_triangle({-1, 0, 0}, {1, 0, 0}, {1, 1e-4, 0}, {0, 0}, {1, 0}, {1, 0.001}), rough_map(64, 64, 13));
        }});
-  list.push_back({"opposite_normals", opposite_normals});
+  list.push_back(
+      {"collinear", [] {
+         scene_options o = options("collinear", "rough map", "nt,sht,pt,ct");
+         o.texel_size = glm::dvec2(0.1);
+         return tb::make_scene(o, single_triangle({-1, 0, 0}, {0, 0, 0}, {1, 0, 0}, {0, 0}, {0.5, 0}, {1, 0.5}), rough_map(64, 64, 17));
+       }});
+  list.push_back({"opposite_normals", opposite_normals, true, true, [](tb::run_result const& run) { return run.counts.zero_vectors > 0; }});
   add_map_sizes(list);
   return list;
 }

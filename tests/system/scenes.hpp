@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tb/host/scene.hpp"
+#include "tb/model/model.hpp"
 
 namespace relievo::test {
 
@@ -13,6 +14,8 @@ struct named_scene {
   std::function<tb::scene()> make;
   bool in_range = true;  // nothing may saturate
   bool whole = true;     // check must find nothing
+  // What the scene is on the list for, where a counter or a record shows it; empty: the scene itself is the point.
+  std::function<bool(tb::run_result const&)> shows = {};
 };
 
 std::vector<named_scene> const& all_scenes();

@@ -44,6 +44,9 @@ TEST_P(whole_scene, hls_equals_golden) {
   EXPECT_EQ(hls.counts.triangles_in, sc.triangles.size());
   EXPECT_EQ(hls.counts.triangles_out, hls.triangles.size());
   EXPECT_TRUE(hls.triangles.back().last);
+  if (named().shows) {
+    EXPECT_TRUE(named().shows(hls)) << "the scene no longer holds what it is on the list for";
+  }
 }
 
 TEST_P(whole_scene, is_whole_in_every_model) {

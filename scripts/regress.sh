@@ -1,0 +1,23 @@
+#!/usr/bin/env bash
+# A longer campaign with the same test programs: scripts/regress.sh [--seeds N] [--vectors N]
+#   units again with seeds 2..N+1 and so many random vectors each (default 10 seeds, 1,000,000 vectors). Stops at the first failure, whose
+#   seed is printed.
+set -euo pipefail
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+seeds=10
+vectors=1000000
+while (($#)); do
+  case $1 in
+    --seeds) seeds=${2:?--seeds needs a number} ;;
+    --vectors) vectors=${2:?--vectors needs a number} ;;
+    *) echo "usage: regress.sh [--seeds N] [--vectors N]" >&2; exit 2 ;;
+  esac
+  shift 2
+done
+
+"$root/scripts/install.sh"
+"$root/scripts/build.sh" release unit_tests
+for ((seed = 2; seed < seeds + 2; seed++)); do
+  echo "seed $seed, $vectors vectors"
+  RELIEVO_SEED=$seed RELIEVO_VECTORS=$vectors "$root/build/tests/unit_tests" --gtest_brief=1
+done
