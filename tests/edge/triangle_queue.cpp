@@ -99,6 +99,14 @@ TEST(triangle_queue, start_forgets_what_was_waiting) {
   EXPECT_EQ(raw(queue->pop({false}, generation(0), fallback).index), 9);
 }
 
+TEST(triangle_queue_death_test, a_push_beyond_its_depth_ends_the_program) {
+  hls::triangle_queue<4> queue;
+  const auto push_five = [&queue] {
+    for (std::int64_t i = 0; i < 5; ++i) queue.push(numbered(i));
+  };
+  EXPECT_DEATH(push_five(), "triangle_queue: push on a full queue of 4 entries");
+}
+
 // A triangle of generation g < M may return four of generation g + 1. Every triangle that can, does, until `budget` are through; then
 // only those that a random number picks. Depth is 3 M + 4.
 template <int M>

@@ -7,12 +7,13 @@ A mutant is a text: a line that says what is broken, `test LAYER/UNIT`, `file hl
 and the broken one between ==== and >>>>. The original must occur exactly once: a mutant that no longer fits its kernel is an error.
 
 The broken header alone is written into FOLDER, which the compiler searches before ROOT; tests/LAYER/UNIT.cpp is compiled against it
-and run. The mutant is rejected when that run fails by an assertion, not by a signal, a timeout or the compiler, and when the same
-test cases pass in UNIT_TESTS with the same vectors.
+and run. The mutant is rejected when an assertion of that run fails (a crash alone, a timeout or the compiler's refusal is not enough),
+and when the same test cases pass in UNIT_TESTS with the same vectors.
 """
 
 import argparse
 import re
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -48,6 +49,7 @@ def reject(args):
     if kernel.count(original) != 1:
         raise Broken(f"its original text occurs {kernel.count(original)} times in {name}, not once: bring the mutant up to date")
     overlay = args.work / args.mutant.stem
+    shutil.rmtree(overlay, ignore_errors=True)
     header = overlay / name
     header.parent.mkdir(parents=True, exist_ok=True)
     header.write_text(kernel.replace(original, broken))
@@ -65,7 +67,7 @@ def reject(args):
     code, output = run([str(program), "--gtest_brief=1"] + vectors, 120)
     program.unlink()
     failing = failing_tests(output)
-    if code != 1 or not failing:
+    if code == 0 or not failing:
         raise Broken(f"tests/{test}.cpp does not notice it (exit code {code}):\n{output[-2000:]}")
     code, output = run([str(args.baseline), "--gtest_brief=1", "--gtest_filter=" + ":".join(failing)] + vectors, 120)
     if code != 0:
