@@ -56,7 +56,8 @@ double change_by_rounding(glm::dvec2 const& u_exact, glm::dvec2 const& u_rounded
   for (const double x : {u_exact.x, u_rounded.x})
     for (const double y : {u_exact.y, u_rounded.y}) {
       const map_address_out at = map_address<exact>({{x, y}}, map);
-      const auto m00 = memory(at.x0, at.y0), m10 = memory(at.x1, at.y0), m01 = memory(at.x0, at.y1), m11 = memory(at.x1, at.y1);
+      const auto m00 = memory(at.x[0], at.y[0]), m10 = memory(at.x[1], at.y[0]), m01 = memory(at.x[0], at.y[1]),
+                 m11 = memory(at.x[1], at.y[1]);
       along_u = std::max({along_u, detail::size_of(m10 - m00), detail::size_of(m11 - m01)});
       along_v = std::max({along_v, detail::size_of(m01 - m00), detail::size_of(m11 - m10)});
     }
@@ -102,7 +103,7 @@ double shortest_direction(glm::dvec2 const& u_exact, glm::dvec2 const& u_rounded
   for (const double x : {u_exact.x, u_rounded.x})
     for (const double y : {u_exact.y, u_rounded.y}) {
       const map_address_out at = map_address<exact>({{x, y}}, map);
-      z = std::max({z, normals(at.x0, at.y0).z, normals(at.x1, at.y0).z, normals(at.x0, at.y1).z, normals(at.x1, at.y1).z});
+      z = std::max({z, normals(at.x[0], at.y[0]).z, normals(at.x[1], at.y[0]).z, normals(at.x[0], at.y[1]).z, normals(at.x[1], at.y[1]).z});
     }
   return power_of_two(-static_cast<int>(normal_shift)) / z;
 }

@@ -75,7 +75,7 @@ class engine {
         in.t = t;
         const tessellate_out parts = tessellate<Rounding>(in, regs_.map, regs_.pass.max_generation);
         for (int i = 0; i < parts.count; ++i) queue.push(parts.t[i]);
-      } else if (cull<Rounding>({{t.v[0].away, t.v[1].away, t.v[2].away}}, regs_.pass).culled) {
+      } else if (cull<Rounding>({t.v[0].away, t.v[1].away, t.v[2].away}, regs_.pass)) {
         ++count_.culled;
       } else {
         ++count_.triangles_out;
@@ -109,7 +109,7 @@ class engine {
 
   // P', N' and P'_s of vertices that have none yet, N'_s of those that only lack that; which edges are settled.
   void set_up(triangle& t) {
-    const get_triangle_out needs = get_triangle<Rounding>({t}, regs_.pass.max_generation);
+    const get_triangle_out needs = get_triangle<Rounding>(t, regs_.pass.max_generation);
     for (int i = 0; i < 3; ++i) {
       t.settled[i] = needs.settled[i];
       vertex& v = t.v[i];

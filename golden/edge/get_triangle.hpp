@@ -12,10 +12,6 @@
 namespace relievo {
 namespace golden {
 
-struct get_triangle_in {
-  triangle t;
-  RELIEVO_FIELDS(t)
-};
 struct get_triangle_out {
   bool new_surface[3] = {false, false, false};
   bool new_normal[3] = {false, false, false};
@@ -24,12 +20,12 @@ struct get_triangle_out {
 };
 
 template <class Rounding>
-get_triangle_out get_triangle(get_triangle_in const& in, double max_generation) {
+get_triangle_out get_triangle(triangle const& t, double max_generation) {
   get_triangle_out out;
   for (int i = 0; i < 3; ++i) {
-    out.new_surface[i] = !in.t.v[i].displaced;
-    out.new_normal[i] = !in.t.v[i].transformed;
-    out.settled[i] = in.t.settled[i] || in.t.generation[i] >= max_generation;
+    out.new_surface[i] = !t.v[i].displaced;
+    out.new_normal[i] = !t.v[i].transformed;
+    out.settled[i] = t.settled[i] || t.generation[i] >= max_generation;
   }
   return out;
 }

@@ -37,18 +37,9 @@ pass_or_tessellate_out pass_or_tessellate(pass_or_tessellate_in const& in, pass_
 }
 
 // cull: asked only when no edge of the triangle splits.
-struct cull_in {
-  bool away[3] = {false, false, false};
-  RELIEVO_FIELDS(away)
-};
-struct cull_out {
-  bool culled = false;
-  RELIEVO_FIELDS(culled)
-};
-
 template <class Rounding>
-cull_out cull(cull_in const& in, pass_or_tessellate_regs const& regs) {
-  return {regs.cull && in.away[0] && in.away[1] && in.away[2]};
+bool cull(bool const (&away)[3], pass_or_tessellate_regs const& regs) {
+  return regs.cull && away[0] && away[1] && away[2];
 }
 
 }  // namespace golden

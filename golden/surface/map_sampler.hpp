@@ -26,9 +26,9 @@ T between(T const& a, T const& b, double t) {
 // Exact bilinear interpolation of memory words; the fractions have `coordinate`'s fractional bits each.
 template <class Memory>
 auto bilinear(map_address_out const& at, Memory const& memory) {
-  const auto lower = between(memory(at.x0, at.y0), memory(at.x1, at.y0), at.fx);
-  const auto upper = between(memory(at.x0, at.y1), memory(at.x1, at.y1), at.fx);
-  return between(lower, upper, at.fy);
+  const auto lower = between(memory(at.x[0], at.y[0]), memory(at.x[1], at.y[0]), at.f.x);
+  const auto upper = between(memory(at.x[0], at.y[1]), memory(at.x[1], at.y[1]), at.f.x);
+  return between(lower, upper, at.f.y);
 }
 
 template <class Stored>

@@ -45,8 +45,8 @@ inline fixed<half_extent> half_extent_of(fixed<formats::coordinate> u1, fixed<fo
 inline fixed<formats::rectangle_sum> sum_around(fixed<formats::coordinate> const (&u)[2], std::int64_t eu, std::int64_t ev,
                                                 map_regs const& map, table_memory const& memory) {
   const std::int64_t column = floor_int(u[0]) + 1, row = floor_int(u[1]) + 1;
-  const summed_area_lookup_in rectangle = {from_raw<formats::bound>(column - eu), from_raw<formats::bound>(column + eu),
-                                           from_raw<formats::bound>(row - ev), from_raw<formats::bound>(row + ev)};
+  const summed_area_lookup_in rectangle = {from_raw<formats::bound>(column - eu), from_raw<formats::bound>(row - ev),
+                                           from_raw<formats::bound>(column + eu), from_raw<formats::bound>(row + ev)};
   return summed_area_lookup(rectangle, map, memory).s;
 }
 }  // namespace detail

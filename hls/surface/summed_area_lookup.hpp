@@ -1,6 +1,6 @@
 // summed_area_lookup: the sum of the map over a rectangle.
 //   S(Z) = SAT(tr) - SAT(tl) - SAT(br) + SAT(bl)              Doggett & Hirche 2000, eq. 2
-//   in    x0, x1, y0, y1   bounds, the rectangle is [x0, x1) x [y0, y1); it may stick out of the map
+//   in    x0, y0, x1, y1   bounds, the rectangle is [x0, x1) x [y0, y1); it may stick out of the map
 //   regs  map; memory table words
 //   out   s                rectangle_sum
 //   wrapped axis: SAT(x + W, y) = SAT(x, y) + SAT(W, y), as many turns as it takes (at most max_turns: rectangles of the summed
@@ -16,8 +16,8 @@ namespace relievo {
 namespace hls {
 
 struct summed_area_lookup_in {
-  fixed<formats::bound> x0, x1, y0, y1;
-  RELIEVO_FIELDS(x0, x1, y0, y1)
+  fixed<formats::bound> x0, y0, x1, y1;
+  RELIEVO_FIELDS(x0, y0, x1, y1)
 };
 struct summed_area_lookup_out {
   fixed<formats::rectangle_sum> s;

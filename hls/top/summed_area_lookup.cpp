@@ -1,10 +1,10 @@
 // summed_area_lookup: the sum of the map over a rectangle. Entry point of hls/surface/summed_area_lookup.hpp.
-//   in        64 bits  x0, x1, y0, y1 16 each
+//   in        64 bits  x0, y0, x1, y1 16 each
 //   map       32 bits  width 14, height 14, wrap_u 1, wrap_v 1
 //   table     64 bits a texel, the low 40 a word of the summed-area table
 //   out       48 bits  s 45
-//   one word in, one word out a call; initiation interval 16 with one read port: a corner beyond two wrapped borders reads four words (4 where nothing wraps).
-//   Bounds reach at most 6 turns beyond a wrapped axis and rectangles hold at most 4096 x 4096 texels
+//   one word in, one word out a call; initiation interval 16 with one read port: a corner beyond two wrapped borders reads four words (4
+//   where nothing wraps). Bounds reach at most 6 turns beyond a wrapped axis and rectangles hold at most 4096 x 4096 texels
 #include "hls/top/top.hpp"
 
 using namespace relievo::hls;

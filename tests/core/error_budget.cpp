@@ -143,7 +143,7 @@ std::map<std::string, measurement> const& measurements() {
        [](draw& d, map rough, map) {
          const map_address_in in{rough.coordinate(d)};
          const auto g = map_address<rounded>(in, rough.regs), i = map_address<exact>(in, rough.regs);
-         return lsb<formats::coordinate>(g.fx, i.fx) + lsb<formats::coordinate>(g.fy, i.fy);
+         return lsb<formats::coordinate>(g.f.x, i.f.x) + lsb<formats::coordinate>(g.f.y, i.f.y);
        }},
       {"map_sampler sample",
        [](draw& d, map rough, map) {

@@ -42,7 +42,7 @@ TEST(pass_or_tessellate, culls_what_shows_its_back_at_all_three_vertices) {
     golden::pass_or_tessellate_regs golden_regs;
     golden_regs.cull = regs.cull;
     EXPECT_EQ(hls::cull(away, regs), word == 15) << word;
-    EXPECT_EQ(golden::cull<golden::rounded>({{away[0], away[1], away[2]}}, golden_regs).culled, word == 15) << word;
+    EXPECT_EQ(golden::cull<golden::rounded>(away, golden_regs), word == 15) << word;
   }
 }
 

@@ -229,8 +229,8 @@ void unit_vectors(memories const& m) {
                                          relievo_summed_height_test(in, map_word, summed, m.table.data(), out);
                                        });
   const std::int64_t x = hls::floor_int(at.u[0]) + 1, y = hls::floor_int(at.u[1]) + 1, e = 1 + static_cast<std::int64_t>(next_random() % 8);
-  const hls::summed_area_lookup_in rectangle = {hls::from_raw<formats::bound>(x - e), hls::from_raw<formats::bound>(x + e),
-                                                hls::from_raw<formats::bound>(y - e), hls::from_raw<formats::bound>(y + e)};
+  const hls::summed_area_lookup_in rectangle = {hls::from_raw<formats::bound>(x - e), hls::from_raw<formats::bound>(y - e),
+                                                hls::from_raw<formats::bound>(x + e), hls::from_raw<formats::bound>(y + e)};
   through<hls::summed_area_lookup_out>("summed_area_lookup", rectangle,
                                        [&](hls::port<hls::summed_area_lookup_in>& in, hls::port<hls::summed_area_lookup_out>& out) {
                                          relievo_summed_area_lookup(in, map_word, m.table.data(), out);
