@@ -144,17 +144,22 @@ constexpr bool operator!=(fixed<A> a, fixed<B> b) {
 // ---- conversions -----------------------------------------------------------------------------------------------------
 
 namespace detail {
-// x * 2^(To - From) with From > To, floor.
+// Fraction bits that a conversion cuts off, 0 where it cuts none.
+template <class To, class From>
+constexpr int cut() {
+  return From::fraction > To::fraction ? From::fraction - To::fraction : 0;
+}
+// x * 2^(To - From), floor.
 template <class To, class From>
 constexpr std::int64_t floor_shift(std::int64_t x) {
-  return From::fraction > To::fraction ? (x >> (From::fraction > To::fraction ? From::fraction - To::fraction : 0))
-                                       : scale_up(x, From::fraction > To::fraction ? 0 : To::fraction - From::fraction);
+  return From::fraction > To::fraction ? x >> cut<To, From>() : scale_up(x, cut<From, To>());
 }
-// Round half up: floor(x/2^(n-1) ... + 1) / 2 needs no bit more than x has.
+// Round half up. In a word of 64 bits x + 1/2 might not fit; floor(x / 2^(n-1) + 1) / 2 needs no bit more than x has.
 template <class To, class From>
 constexpr std::int64_t round_shift(std::int64_t x) {
-  return From::fraction > To::fraction ? ((x >> (From::fraction > To::fraction ? From::fraction - To::fraction - 1 : 0)) + 1) >> 1
-                                       : floor_shift<To, From>(x);
+  return From::fraction <= To::fraction ? floor_shift<To, From>(x)
+         : From::width < 64             ? (x + ((std::int64_t(1) << cut<To, From>()) >> 1)) >> cut<To, From>()
+                                        : ((x >> (cut<To, From>() - (cut<To, From>() > 0))) + 1) >> 1;
 }
 template <class To, class From>
 struct conversion {
