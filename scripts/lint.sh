@@ -4,7 +4,7 @@
 #   includes        who may include what; words of the kernels    [--root FOLDER]
 #   mirror          the same unit under the same path             [--root FOLDER]
 #   synthesizable   every entry point is a circuit                [FILE]...
-#   tidy            clang-tidy, as .clang-tidy says               [FILE]...; else all that ${RELIEVO_BUILD:-build} compiles
+#   tidy            clang-tidy, as .clang-tidy says               [FILE]...; else hls/, golden/, tb/ as ${RELIEVO_BUILD:-build} compiles them
 # shellcheck disable=SC2317  # the gates are called by name
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."

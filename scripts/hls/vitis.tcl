@@ -1,4 +1,4 @@
-# Vitis HLS: C simulation is the project's own; this synthesizes one entry point and, with COSIM=1, runs the RTL against it.
+# Vitis HLS: synthesizes one entry point. C simulation is the project's own (tests/top, scripts/portability.sh).
 #   cd build && TOP=displace [PART=xcku5p-ffva676-3-e] [CLOCK=5] vitis_hls -f ../scripts/hls/vitis.tcl
 # Never run here: the tool was not at hand. Written from its documentation.
 set root [file normalize [file join [file dirname [info script]] .. ..]]
@@ -20,9 +20,5 @@ open_solution -reset solution -flow_target vivado
 set_part [setting PART xcku5p-ffva676-3-e]
 create_clock -period [setting CLOCK 5]
 csynth_design
-if {[setting COSIM 0]} {
-  add_files -tb [file join $root tests portability words.cpp] -cflags "-std=c++14 -DRELIEVO_AP_FIXED -I$root"
-  cosim_design
-}
 export_design -format ip_catalog
 exit

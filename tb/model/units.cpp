@@ -41,12 +41,12 @@ struct no_regs {
 // HIn and HRegs are the hls records, GIn and GRegs golden's; both functions take (in, regs).
 template <class HIn, class HRegs, class GIn, class GRegs, class HlsFunction, class GoldenFunction>
 pure_unit make_unit(char const* name, HlsFunction hls_function, GoldenFunction golden_function) {
-  using HOut = decltype(hls_function(HIn{}, HRegs{}));
+  using hls_out = decltype(hls_function(HIn{}, HRegs{}));
   pure_unit unit;
   unit.name = name;
   unit.in = layout<HIn>();
   unit.regs = layout<HRegs>();
-  unit.out = layout<HOut>();
+  unit.out = layout<hls_out>();
   unit.hls = [hls_function](pure_unit::words const& in, pure_unit::words const& regs) {
     HIn i{};
     HRegs r{};
@@ -64,7 +64,7 @@ pure_unit make_unit(char const* name, HlsFunction hls_function, GoldenFunction g
     to_golden(hi, i);
     to_golden(hr, r);
     bool exact = true;
-    pure_unit::words out = golden_words<HOut>(golden_function(i, r), exact);
+    pure_unit::words out = golden_words<hls_out>(golden_function(i, r), exact);
     if (!exact) out.push_back(0);  // a list of another length equals nothing
     return out;
   };
