@@ -41,7 +41,6 @@ struct profile_test_out {
   RELIEVO_FIELDS(pt, k)
 };
 
-
 // n, or 0 for an edge too short to have a profile.
 inline int profile_intervals(profile_test_in const& in) {
   const glm::dvec2 extent = glm::abs(in.u1 - in.u2);

@@ -4,7 +4,8 @@
 //   regs      72 bits  average 1, sum_threshold 44, average_threshold 20
 //   table     64 bits a texel, the low 40 a word of the summed-area table
 //   out        8 bits  sht 1
-//   one word in, one word out a call; initiation interval 48 with one read port: corners beyond two wrapped borders read four words (12 where nothing wraps)
+//   one word in, one word out a call; initiation interval 48 with one read port: corners beyond two wrapped borders read four words (12
+//   where nothing wraps)
 #include "hls/top/top.hpp"
 
 using namespace relievo::hls;
