@@ -1,7 +1,8 @@
 // summed_area_lookup: the sum S of the texels in a rectangle [x0, x1) x [y0, y1).         Doggett & Hirche 2000, eq. 2
 //   S = SAT(x1, y1) - SAT(x0, y1) - SAT(x1, y0) + SAT(x0, y0), modulo 2^40
 //
-//   in   x0, y0, x1, y1       integers; the rectangle may stick out of the map. At most 2^24 texels, some of them inside
+//   in   x0, y0, x1, y1       integers; the rectangle may stick out of the map. At most 2^24 texels, some of them inside,
+//        and on a wrapped axis within six turns of the map (what the summed height test can ask reaches two texels beyond it)
 //   out  s   rectangle_sum
 //   memory   table(x, y) -> stored word, SAT(x+1, y+1)
 //   registers: sample (the mean of a clipped rectangle)
