@@ -1,0 +1,89 @@
+// stream_fifo: words wait in order between two valid/ready links.
+//   parameters  T, Depth >= 2 words
+//   in    in_valid_i, in_ready_o, in_i
+//   out   out_valid_o, out_ready_i, out_o
+//         count_o  words held, of 0..Depth
+//
+//   latency 3, initiation interval 1; all outputs registered: no path from out_ready_i to in_ready_o, none from in_valid_i to out_valid_o.
+//   The words lie in a memory with a registered read port; two words wait behind it so that a word can leave every clock.
+module stream_fifo #(
+  parameter type T = logic,
+  parameter int unsigned Depth = 4,
+  localparam int unsigned CountBits = $clog2(Depth + 1)
+) (
+  input  logic                 clk_i,
+  input  logic                 rst_ni,
+  input  logic                 in_valid_i,
+  output logic                 in_ready_o,
+  input  T                     in_i,
+  output logic                 out_valid_o,
+  input  logic                 out_ready_i,
+  output T                     out_o,
+  output logic [CountBits-1:0] count_o
+);
+  localparam int unsigned PlaceBits = Depth > 1 ? $clog2(Depth) : 1;
+
+  T memory_q [Depth];
+  T read_q;
+  logic read_valid_q;
+
+  logic [PlaceBits-1:0] write_place_q, read_place_q;
+  logic [CountBits-1:0] count_q;    // words held in all
+  logic [CountBits-1:0] stored_q;   // words in the memory that have not been read
+  T head_q, next_q;
+  logic head_valid_q, next_valid_q;
+
+  function automatic logic [PlaceBits-1:0] after(logic [PlaceBits-1:0] place);
+    return place == PlaceBits'(Depth - 1) ? '0 : place + PlaceBits'(1);
+  endfunction
+
+  logic write, leave, read;
+  assign in_ready_o = count_q != CountBits'(Depth);
+  assign write = in_valid_i && in_ready_o;
+  assign leave = head_valid_q && out_ready_i;
+  // A read started now arrives in read_q next clock; there must be room for it behind head and next whatever leaves.
+  assign read = stored_q != '0 && !(head_valid_q && (next_valid_q || read_valid_q)) && !(next_valid_q && read_valid_q);
+
+  assign out_valid_o = head_valid_q;
+  assign out_o = head_q;
+  assign count_o = count_q;
+
+  always_ff @(posedge clk_i) begin
+    if (write) memory_q[write_place_q] <= in_i;
+    if (read) read_q <= memory_q[read_place_q];
+  end
+
+  // Where the word of read_q goes: to the head when that is free or leaving and nothing waits before it, else to next.
+  always_ff @(posedge clk_i) begin
+    if (leave || !head_valid_q) begin
+      head_q <= next_valid_q ? next_q : read_q;
+      next_q <= read_q;
+    end else if (!next_valid_q) begin
+      next_q <= read_q;
+    end
+  end
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      write_place_q <= '0;
+      read_place_q <= '0;
+      count_q <= '0;
+      stored_q <= '0;
+      read_valid_q <= 1'b0;
+      head_valid_q <= 1'b0;
+      next_valid_q <= 1'b0;
+    end else begin
+      if (write) write_place_q <= after(write_place_q);
+      if (read) read_place_q <= after(read_place_q);
+      count_q <= count_q + CountBits'(write) - CountBits'(leave);
+      stored_q <= stored_q + CountBits'(write) - CountBits'(read);
+      read_valid_q <= read;
+      if (leave || !head_valid_q) begin
+        head_valid_q <= next_valid_q || read_valid_q;
+        next_valid_q <= next_valid_q && read_valid_q;
+      end else begin
+        next_valid_q <= next_valid_q || read_valid_q;
+      end
+    end
+  end
+endmodule

@@ -1,0 +1,26 @@
+// memory_pkg: what the read ports of the map memories carry.
+//
+//   A read port asks with req_valid/req_ready, req, and is answered in order with rsp_valid, rsp, after any number of clocks. An answer
+//   cannot be refused: who asks has a place for it. Requests give coordinates, not addresses, so that a memory may lay out its words
+//   as it likes (banks, tiles); they are always within the map.
+//   A port that reads several words a clock asks for them together and is answered together.
+package memory_pkg;
+  import formats_pkg::*;
+
+  // The four texels at columns x[0], x[1] and rows y[0], y[1]; at a border two of them may be the same.
+  typedef struct packed {
+    map_size_t [1:0] y;
+    map_size_t [1:0] x;
+  } quad_request_t;
+  // [row][column]
+  typedef texel_t [1:0][1:0] texel_quad_t;
+  typedef unit_t [2:0] normal_t;
+  typedef normal_t [1:0][1:0] normal_quad_t;
+
+  // Word (x, y) of the summed-area table, SAT(x+1, y+1), where read is set; the answer to the others is not looked at.
+  typedef struct packed {
+    map_size_t y;
+    map_size_t x;
+    logic      read;
+  } table_request_t;
+endpackage

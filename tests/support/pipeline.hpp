@@ -1,0 +1,133 @@
+// pipeline: drives the Verilated model of a pure pipeline and holds it against the kernel, word by word, with its promised latency.
+//
+//   pipeline_test<Model, V>(latency, shape, expected)
+//     Model     Verilated module with clk_i, in_i, out_o and, where V.regs is a record, regs_i (and map_i where V has a map)
+//     V         stimulus<In, Regs>, or any record of in, regs and map
+//     shape     as in for_vectors: brings a drawn vector into the unit's domain
+//     expected  v -> the kernel's out record
+//   A new vector goes in every clock: initiation interval 1. Each answer is looked at exactly latency clocks after its vector: a
+//   pipeline that is shorter or longer shows another vector's. Registers change between bursts, when the pipeline has drained. Corners
+//   first, then rtl_vector_count() random vectors.
+#pragma once
+#include <verilated.h>
+
+#include <deque>
+#include <optional>
+
+#include "tb/cosim/ports.hpp"
+#include "tests/support/vectors.hpp"
+
+namespace relievo::test {
+
+// A tenth of what the C++ units get.
+inline std::uint64_t rtl_vector_count() { return vector_count() / 10; }
+
+namespace detail {
+
+template <class Model, class V>
+auto drive_regs(Model& model, V const& v, int) -> decltype(model.regs_i, void()) {
+  tb::put(model.regs_i, v.regs);
+}
+template <class Model, class V>
+void drive_regs(Model&, V const&, long) {}
+
+template <class Model, class V>
+auto drive_map(Model& model, V const& v, int) -> decltype(model.map_i, v.map, void()) {
+  tb::put(model.map_i, v.map);
+}
+template <class Model, class V>
+void drive_map(Model&, V const&, long) {}
+
+template <class V>
+auto keep_regs(V& v, V const& first, int) -> decltype(v.regs, void()) {
+  v.regs = first.regs;
+}
+template <class V>
+void keep_regs(V&, V const&, long) {}
+template <class V>
+auto keep_map(V& v, V const& first, int) -> decltype(v.map, void()) {
+  v.map = first.map;
+}
+template <class V>
+void keep_map(V&, V const&, long) {}
+
+}  // namespace detail
+
+template <class Model, class V, class Shape, class Expected>
+void pipeline_test(int latency, Shape shape, Expected expected) {
+  using Out = decltype(expected(std::declval<V const&>()));
+  struct pending {
+    V v;
+    Out out;
+  };
+  VerilatedContext context;
+  context.randReset(2);
+  context.randSeed(static_cast<int>(seed() & 0x7fffffff) + 1);
+  Model model(&context);
+  model.clk_i = 0;
+  model.eval();
+  // What the pipeline holds, the newest at the back; nothing is expected of a bubble.
+  std::deque<std::optional<pending>> inside;
+  std::uint64_t clocks = 0;
+
+  const auto clock = [&](std::optional<pending> const& in) {
+    inside.push_back(in);
+    model.clk_i = 1;
+    model.eval();
+    model.clk_i = 0;
+    model.eval();
+    ++clocks;
+    if (inside.size() < static_cast<std::size_t>(latency)) return true;
+    const std::optional<pending> done = inside.front();
+    inside.pop_front();
+    if (!done) return true;
+    const auto result = same_words(tb::get<Out>(model.out_o), done->out);
+    if (!result)
+      ADD_FAILURE() << "rtl against hls, " << result.message() << "\nclock " << clocks << ", seed " << seed() << ":\n" << describe(done->v);
+    return static_cast<bool>(result);
+  };
+  const auto feed = [&](V const& v) {
+    tb::put(model.in_i, v.in);
+    return clock(pending{v, expected(v)});
+  };
+  const auto drain = [&] {
+    for (int i = 1; i < latency; ++i)
+      if (!clock(std::nullopt)) return false;
+    inside.clear();
+    return true;
+  };
+
+  generator g = next_generator();
+  V v{};
+  const std::size_t words = tb::layout<V>().size();
+  constexpr int backgrounds[] = {0, 2, 4};
+  for (std::size_t at = 0; at < words; ++at)
+    for (int corner = 0; corner < corner_count; ++corner)
+      for (const int others : backgrounds) {
+        corner_vector(v, at, corner, others);
+        shape(v, g);
+        detail::drive_regs(model, v, 0);
+        detail::drive_map(model, v, 0);
+        if (!feed(v) || !drain()) return;
+      }
+  constexpr std::uint64_t burst = 256;
+  for (std::uint64_t done = 0; done < rtl_vector_count(); done += burst) {
+    V first{};
+    draw_vector(first, static_cast<draw>(done / burst % 4), g);
+    shape(first, g);
+    detail::drive_regs(model, first, 0);
+    detail::drive_map(model, first, 0);
+    for (std::uint64_t i = 0; i < burst; ++i) {
+      draw_vector(v, static_cast<draw>(i % 4), g);
+      detail::keep_regs(v, first, 0);
+      detail::keep_map(v, first, 0);
+      shape(v, g);
+      detail::keep_regs(v, first, 0);
+      detail::keep_map(v, first, 0);
+      if (!feed(v)) return;
+    }
+    if (!drain()) return;
+  }
+}
+
+}  // namespace relievo::test

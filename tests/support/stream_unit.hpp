@@ -1,0 +1,181 @@
+// stream_unit: drives the Verilated model of a unit with valid/ready streams, and with read ports of map memories, and holds it against
+// the kernel word by word in order.
+//
+//   stream_test<Model, V>(traffic, shape, expected, {ports...}, count)     -> clocks from the first word taken to the last word out
+//     Model     module with clk_i, rst_ni, in_valid_i/in_ready_o/in_i, out_valid_o/out_ready_i/out_o and, where V has them, regs_i, map_i
+//     V         record of in, regs, map (any subset with in)
+//     expected  v -> the kernel's out record
+//     ports     read ports of map memories, made by RELIEVO_MEMORY_PORT(Model, prefix, Request, answer) with
+//               <prefix>_req_valid_o, _req_ready_i, _req_o, _rsp_valid_i, _rsp_i; answer: Request record -> record of the answer
+//   traffic     how often a source idles and a sink stalls, in sixteenths, and the latency of the memories, fixed or random; they also
+//               refuse requests as often as the sink stalls
+//   all_traffic() is {no idle, idle} x {no stall, stall} x {latency 1, random}.
+//   The registers are drawn once a call. Checked besides the words: out holds while it is not taken, nothing comes out that was not
+//   asked for, nothing stays behind, and a watchdog of 10,000 clocks without a word.
+#pragma once
+#include <verilated.h>
+
+#include <deque>
+#include <functional>
+#include <vector>
+
+#include "tests/support/pipeline.hpp"
+
+namespace relievo::test {
+
+struct traffic {
+  std::uint64_t idle, stall;               // sixteenths
+  std::int64_t latency_low, latency_high;  // clocks from a request to its answer, 1 at least
+};
+
+inline std::vector<traffic> all_traffic() {
+  std::vector<traffic> list;
+  for (const std::uint64_t idle : {0, 7})
+    for (const std::uint64_t stall : {0, 7})
+      for (const std::int64_t latency : {1, 40}) list.push_back({idle, stall, 1, latency});
+  return list;
+}
+
+template <class Model>
+struct memory_port {
+  std::function<bool(Model const&)> moves;  // valid and ready: a request is taken at the coming edge
+  std::function<void(Model&, bool)> set_ready;
+  std::function<std::function<void(Model&)>(Model const&)> answer;  // the request of now -> what puts its answer on the port
+  std::function<void(Model&, bool)> set_valid;
+};
+
+#define RELIEVO_MEMORY_PORT(Model, prefix, Request, answer_of)                               \
+  ::relievo::test::memory_port<Model> {                                                      \
+    [](Model const& m) { return m.prefix##_req_valid_o && m.prefix##_req_ready_i; },         \
+        [](Model& m, bool ready) { m.prefix##_req_ready_i = ready; },                        \
+        [=](Model const& m) -> std::function<void(Model&)> {                                 \
+          const auto response = answer_of(::relievo::tb::get<Request>(m.prefix##_req_o));    \
+          return [response](Model& to) { ::relievo::tb::put(to.prefix##_rsp_i, response); }; \
+        },                                                                                   \
+        [](Model& m, bool valid) { m.prefix##_rsp_valid_i = valid; }                         \
+  }
+
+template <class Model, class V, class Shape, class Expected>
+std::uint64_t stream_test(traffic const& t, Shape shape, Expected expected, std::vector<memory_port<Model>> const& ports,
+                          std::uint64_t count) {
+  using Out = decltype(expected(std::declval<V const&>()));
+  struct answer {
+    std::uint64_t due;
+    std::function<void(Model&)> put;
+  };
+  VerilatedContext context;
+  context.randReset(2);
+  context.randSeed(static_cast<int>(seed() & 0x7fffffff) + 1);
+  Model model(&context);
+  generator g = next_generator();
+  std::vector<std::deque<answer>> answers(ports.size());
+  std::deque<std::pair<V, Out>> waiting;
+  std::uint64_t clocks = 0, sent = 0, received = 0, first = 0, last = 0, quiet = 0;
+
+  V v{};
+  draw_vector(v, draw::uniform, g);
+  shape(v, g);
+  const V constants = v;
+  detail::drive_regs(model, v, 0);
+  detail::drive_map(model, v, 0);
+  model.clk_i = 0;
+  model.rst_ni = 0;
+  model.in_valid_i = 0;
+  model.out_ready_i = 0;
+  for (auto const& p : ports) {
+    p.set_ready(model, false);
+    p.set_valid(model, false);
+  }
+  for (int i = 0; i < 4; ++i) {
+    model.clk_i = 1;
+    model.eval();
+    model.clk_i = 0;
+    model.eval();
+  }
+  model.rst_ni = 1;
+
+  bool offered = false, held = false;
+  Out held_out{};
+  // Some clocks more than there are words: nothing may follow the last.
+  for (std::uint64_t after = 0; after < 300; after += received == count ? 1 : 0) {
+    if (!offered && sent < count && g.below(16) >= t.idle) {
+      draw_vector(v, static_cast<draw>(g.below(4)), g);
+      detail::keep_regs(v, constants, 0);
+      detail::keep_map(v, constants, 0);
+      shape(v, g);
+      detail::keep_regs(v, constants, 0);
+      detail::keep_map(v, constants, 0);
+      tb::put(model.in_i, v.in);
+      offered = true;
+    }
+    model.in_valid_i = offered;
+    model.out_ready_i = g.below(16) >= t.stall;
+    for (std::size_t i = 0; i < ports.size(); ++i) {
+      ports[i].set_ready(model, g.below(16) >= t.stall);
+      const bool due = !answers[i].empty() && answers[i].front().due <= clocks;
+      ports[i].set_valid(model, due);
+      if (due) {
+        answers[i].front().put(model);
+        answers[i].pop_front();
+      }
+    }
+    model.eval();
+
+    // What moves at the coming edge.
+    const bool taken = offered && model.in_ready_o;
+    const bool leaves = model.out_valid_o && model.out_ready_i;
+    for (std::size_t i = 0; i < ports.size(); ++i) {
+      if (ports[i].moves(model)) {
+        std::uint64_t due = clocks + static_cast<std::uint64_t>(g.between(t.latency_low, t.latency_high));
+        if (!answers[i].empty() && answers[i].back().due >= due) due = answers[i].back().due + 1;
+        answers[i].push_back({due, ports[i].answer(model)});
+      }
+    }
+    if (model.out_valid_o) {
+      const Out out = tb::get<Out>(model.out_o);
+      if (held && !same_words(out, held_out)) {
+        ADD_FAILURE() << "out changed while it was not taken, " << same_words(out, held_out).message() << ", clock " << clocks;
+        return 0;
+      }
+      held_out = out;
+    } else if (held) {
+      ADD_FAILURE() << "out_valid fell before the word was taken, clock " << clocks;
+      return 0;
+    }
+    held = model.out_valid_o && !leaves;
+    if (leaves) {
+      if (waiting.empty()) {
+        ADD_FAILURE() << "a word came out for which none went in, clock " << clocks;
+        return 0;
+      }
+      const auto result = same_words(tb::get<Out>(model.out_o), waiting.front().second);
+      if (!result) {
+        ADD_FAILURE() << "rtl against hls, " << result.message() << "\nclock " << clocks << ", seed " << seed() << ":\n"
+                      << describe(waiting.front().first);
+        return 0;
+      }
+      waiting.pop_front();
+      last = clocks;
+      ++received;
+    }
+    if (taken) {
+      if (sent == 0) first = clocks;
+      waiting.push_back({v, expected(v)});
+      ++sent;
+      offered = false;
+    }
+    quiet = taken || leaves || received == count ? 0 : quiet + 1;
+    if (quiet > 10000) {
+      ADD_FAILURE() << "nothing moved for 10,000 clocks: " << sent << " words in, " << received << " out";
+      return 0;
+    }
+    model.clk_i = 1;
+    model.eval();
+    model.clk_i = 0;
+    model.eval();
+    ++clocks;
+  }
+  return last - first + 1;
+}
+
+}  // namespace relievo::test
