@@ -1,0 +1,101 @@
+// map_memories: what the read ports of the map memories carry (rtl/surface/memory_pkg.sv), as records, and memories that answer them.
+//
+//   quad_request -> texel_quad, normal_quad;  table_request -> table_word;  group<Record, N>: N of them, asked for and answered together
+//   texel_answers(map), normal_answers(map), table_answers(map)   request -> answer from a test_map, for RELIEVO_MEMORY_PORT
+//   in_group<N>(answers)                                          the same for a group of N
+//   A coordinate outside the map is a failure of the test. Table words that are not to be read are answered all the same, with a word of
+//   no meaning, whatever their coordinates.
+#pragma once
+#include <gtest/gtest.h>
+
+#include "hls/core/packed.hpp"
+#include "tests/support/maps.hpp"
+
+namespace relievo::test {
+
+struct quad_request {
+  hls::fixed<formats::map_size> x[2];
+  hls::fixed<formats::map_size> y[2];
+  RELIEVO_FIELDS(x, y)
+};
+// [row][column]
+struct texel_quad {
+  hls::fixed<formats::texel> q[2][2];
+  RELIEVO_FIELDS(q)
+};
+// [row][column][component]
+struct normal_quad {
+  hls::fixed<formats::unit> q[2][2][3];
+  RELIEVO_FIELDS(q)
+};
+
+struct table_request {
+  bool read;
+  hls::fixed<formats::map_size> x;
+  hls::fixed<formats::map_size> y;
+  RELIEVO_FIELDS(read, x, y)
+};
+struct table_word {
+  hls::fixed<formats::table_sum> word;
+  RELIEVO_FIELDS(word)
+};
+
+template <class Record, int N>
+struct group {
+  Record at[N];
+  RELIEVO_FIELDS(at)
+};
+
+namespace detail {
+
+// The place of texel (x, y), 0 and a failure where there is none.
+inline std::size_t word_place(test_map const& map, hls::fixed<formats::map_size> x, hls::fixed<formats::map_size> y) {
+  if (raw(x) >= map.width() || raw(y) >= map.height()) {
+    ADD_FAILURE() << "word (" << raw(x) << ", " << raw(y) << ") was asked for, of a map of " << map.width() << " x " << map.height();
+    return 0;
+  }
+  return static_cast<std::size_t>(raw(y) * map.width() + raw(x));
+}
+
+}  // namespace detail
+
+inline auto texel_answers(test_map const& map) {
+  return [&map](quad_request const& request) {
+    texel_quad answer{};
+    for (int row = 0; row < 2; ++row)
+      for (int column = 0; column < 2; ++column)
+        answer.q[row][column] =
+            hls::from_raw<formats::texel>(map.texels().words[detail::word_place(map, request.x[column], request.y[row])]);
+    return answer;
+  };
+}
+
+inline auto normal_answers(test_map const& map) {
+  return [&map](quad_request const& request) {
+    normal_quad answer{};
+    for (int row = 0; row < 2; ++row)
+      for (int column = 0; column < 2; ++column) {
+        const std::uint64_t word = map.normals().words[detail::word_place(map, request.x[column], request.y[row])];
+        for (int i = 0; i < 3; ++i) answer.q[row][column][i] = hls::unpack_normal(word, i);
+      }
+    return answer;
+  };
+}
+
+inline auto table_answers(test_map const& map) {
+  return [&map](table_request const& request) {
+    const std::uint64_t word = request.read ? map.table().words[detail::word_place(map, request.x, request.y)] : 0xfedcba9876u;
+    return table_word{hls::from_raw<formats::table_sum>(static_cast<std::int64_t>(word))};
+  };
+}
+
+template <int N, class Answers>
+auto in_group(Answers answers) {
+  return [answers](auto const& requests) {
+    group<decltype(answers(requests.at[0])), N> together{};
+    for (int i = 0; i < N; ++i) together.at[i] = answers(requests.at[i]);
+    return together;
+  };
+}
+
+}  // namespace relievo::test
