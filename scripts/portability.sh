@@ -6,24 +6,9 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 work=${RELIEVO_BUILD:-build}/portability
-cache=.cache
-version=$(sed -n 's/^\(hls4ml==[^ ]*\).*/\1/p' scripts/pinned_tools.txt)
-templates=$cache/$version/templates
-mkdir -p "$work" "$cache"
-
-if [[ ! -d $templates ]]; then
-  [[ -x .venv/bin/pip ]] || python3 -m venv .venv
-  if ! .venv/bin/pip download -q --disable-pip-version-check --no-deps --require-hashes --only-binary :all: -d "$cache" \
-      -r scripts/pinned_tools.txt >"$work/pip.log" 2>&1; then
-    tail -n 3 "$work/pip.log"
-    echo "portability: SKIPPED, the headers of scripts/pinned_tools.txt can't be fetched from PyPI"
-    exit 77
-  fi
-  fetched=$(mktemp -d -p "$cache")
-  python3 -m zipfile -e "$cache"/hls4ml-*.whl "$fetched"
-  mv "$fetched/hls4ml" "$cache/$version"
-  rm -rf "$fetched"
-fi
+mkdir -p "$work"
+scripts/venv.sh headers
+templates=$(echo .venv/lib/python3*/site-packages/hls4ml/templates)
 
 # Compiles words.cpp and every entry point with one type, and lets it speak. Their headers warn; ours have been warned about already.
 speak() {
