@@ -145,7 +145,7 @@ package edge_pkg;
 
   typedef struct packed {
     logic cull;
-    shift_t max_generation;
+    generation_t max_generation;
     logic use_ct;
     logic use_vt;
     logic use_ht;

@@ -3,7 +3,8 @@
 //                            declare them, into core/core_pkg.sv, surface/surface_pkg.sv and edge/edge_pkg.sv
 //   The committed files are compared with a fresh print by the test lint.packages. A packed struct begins at its top bit, so the fields
 //   stand from last to first: the first field lies at bit 0, and a record's bits are those of hls/core/packed.hpp without its padding.
-//   Formats of the same shape are one type in C++: a field has the format of its own name where there is one, else the first of its shape.
+//   Formats of the same shape are one type in C++: a field has the format that its name ends with where there is one, else the
+//   first of its shape.
 #include <cstdio>
 #include <fstream>
 #include <map>
@@ -56,7 +57,10 @@ std::string format_type(std::string const& field) {
   format_name const* first = nullptr;
   for (format_name const& f : format_names) {
     if (f.width != F::width || f.fraction != F::fraction || f.is_signed != F::is_signed) continue;
-    if (field == f.name) return field + "_t";
+    const std::string name = f.name;
+    const bool ends_with_it =
+        field.size() > name.size() && field.compare(field.size() - name.size() - 1, std::string::npos, "_" + name) == 0;
+    if (field == name || ends_with_it) return name + "_t";
     if (first == nullptr) first = &f;
   }
   if (first != nullptr) return std::string(first->name) + "_t";
