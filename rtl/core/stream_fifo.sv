@@ -5,7 +5,9 @@
 //         count_o  words held, of 0..Depth
 //
 //   latency 3, initiation interval 1; all outputs registered: no path from out_ready_i to in_ready_o, none from in_valid_i to out_valid_o.
-//   The words lie in a memory with a registered read port; two words wait behind it so that a word can leave every clock.
+//   The words lie in a memory with a registered read port; with the port's register three words wait behind it, so that a word can
+//   leave every clock although a read does not look at out_ready_i: next is free when read_q moves on, or read_q holds its word.
+//   memory -> read_q -> next -> head -> out, next passed by when it is empty
 module stream_fifo #(
   parameter type T = logic,
   parameter int unsigned Depth = 4,
@@ -37,12 +39,13 @@ module stream_fifo #(
     return place == PlaceBits'(Depth - 1) ? '0 : place + PlaceBits'(1);
   endfunction
 
-  logic write, leave, read;
+  logic write, leave, move, read;
   assign in_ready_o = count_q != CountBits'(Depth);
   assign write = in_valid_i && in_ready_o;
   assign leave = head_valid_q && out_ready_i;
-  // A read started now arrives in read_q next clock; there must be room for it behind head and next whatever leaves.
-  assign read = stored_q != '0 && !(head_valid_q && (next_valid_q || read_valid_q)) && !(next_valid_q && read_valid_q);
+  // read_q moves on unless head and next are both taken, whatever leaves; a read needs it free or moving.
+  assign move = read_valid_q && !(head_valid_q && next_valid_q);
+  assign read = stored_q != '0 && (!read_valid_q || move);
 
   assign out_valid_o = head_valid_q;
   assign out_o = head_q;
@@ -77,10 +80,10 @@ module stream_fifo #(
       if (read) read_place_q <= after(read_place_q);
       count_q <= count_q + CountBits'(write) - CountBits'(leave);
       stored_q <= stored_q + CountBits'(write) - CountBits'(read);
-      read_valid_q <= read;
+      read_valid_q <= read || (read_valid_q && !move);
       if (leave || !head_valid_q) begin
         head_valid_q <= next_valid_q || read_valid_q;
-        next_valid_q <= next_valid_q && read_valid_q;
+        next_valid_q <= next_valid_q && move;
       end else begin
         next_valid_q <= next_valid_q || read_valid_q;
       end
