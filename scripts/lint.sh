@@ -3,6 +3,7 @@
 #   format          clang-format, as .clang-format says           [FILE]...
 #   includes        who may include what; words of the kernels    [--root FOLDER]
 #   mirror          the same unit under the same path             [--root FOLDER]
+#   packages        rtl's packages are the C++ headers'          [--root FOLDER]
 #   synthesizable   every entry point is a circuit                [FILE]...
 #   tidy            clang-tidy, as .clang-tidy says               [FILE]...; else hls/, golden/, tb/ as ${RELIEVO_BUILD:-build} compiles them
 # shellcheck disable=SC2317  # the gates are called by name
@@ -18,6 +19,27 @@ gate_format() {
 }
 gate_includes() { python3 scripts/lint/includes.py "$@"; }
 gate_mirror() { python3 scripts/lint/mirror.py "$@"; }
+gate_packages() {
+  local root=.
+  [[ ${1:-} == --root ]] && root=$2
+  local program=${RELIEVO_PRINT_PACKAGES:-}
+  if [[ -z $program ]]; then
+    scripts/build.sh release print_packages >&2
+    program=build/print_packages
+  fi
+  local printed path status=0
+  printed=$(mktemp -d)
+  mkdir "$printed"/{core,surface,edge}
+  "$program" "$printed"
+  while read -r path; do
+    cmp -s "$printed/$path" "$root/rtl/$path" && continue
+    echo "rtl/$path: packages: is not what its C++ headers say (print it again: build/print_packages rtl)"
+    diff "$root/rtl/$path" "$printed/$path" | head -n 10 || true
+    status=1
+  done < <(cd "$printed" && find . -name '*.sv' -printf '%P\n' | sort)
+  rm -rf "$printed"
+  return "$status"
+}
 gate_synthesizable() { python3 scripts/lint/synthesizable.py --list "$@"; }
 gate_tidy() {
   if (($#)); then
@@ -32,7 +54,7 @@ if (($#)); then
   exit
 fi
 status=0
-for gate in format includes mirror synthesizable tidy; do
+for gate in format includes mirror packages synthesizable tidy; do
   if "gate_$gate"; then echo "lint: $gate clean"; else
     echo "lint: $gate FAILED"
     status=1
