@@ -5,6 +5,8 @@
   hls/<layer>/x.hpp     ->  tests/<layer>/x.cpp     records, which hold no formula, excepted
   hls/core/x.hpp        ->  tests/core/x.cpp
   hls/top/x.cpp         ->  tests/top/x.cpp
+  hls/<layer>/x.hpp     ->  rtl/<layer>/x.sv and tests/<layer>/x_rtl.cpp, core too; records and what is no circuit excepted;
+                            in a tree that has circuits at all
 
 usage: mirror.py [--root FOLDER]
 """
@@ -39,6 +41,55 @@ NO_TWIN = {
     "golden/edge/edge_trace.hpp": "what an observer sees of an edge; a circuit has none",
     "golden/surface/memories.hpp": "the memories that a kernel has as ports",
 }
+# Kernel headers that are no circuit, and what the circuit has in their place.
+NO_CIRCUIT = {
+    "hls/core/formats.hpp": "rtl/core/formats_pkg.sv is printed from it",
+    "hls/core/record.hpp": "packed structs, printed",
+    "hls/core/packed.hpp": "packed structs, printed",
+    "hls/core/fixed.hpp": "signed words and the cell round_to",
+    "hls/core/fixed_ap.hpp": "another tool's type",
+    "hls/core/fixed_ac.hpp": "another tool's type",
+    "hls/core/fixed_tool.hpp": "what those two share",
+    "hls/core/synthesis.hpp": "macros alone",
+    "hls/core/port.hpp": "one choice of types",
+    "hls/core/stream.hpp": "valid and ready, and the cell stream_fifo",
+    "hls/core/streaming_loop.hpp": "a marker",
+    "hls/core/vector.hpp": "the cell multiply and sums of its products",
+    "hls/surface/map_regs.hpp": "a record",
+    "hls/edge/triangle.hpp": "a record",
+    "hls/edge/engine_regs.hpp": "a record",
+    "hls/edge/counters.hpp": "a record",
+}
+# Units whose circuit is not there yet.
+NOT_YET = {
+    "hls/core/normalize.hpp",
+    "hls/core/reciprocal.hpp",
+    "hls/surface/bump.hpp",
+    "hls/surface/map_address.hpp",
+    "hls/surface/map_sampler.hpp",
+    "hls/surface/normal_map.hpp",
+    "hls/surface/normal_sampler.hpp",
+    "hls/surface/summed_area_lookup.hpp",
+    "hls/surface/summed_area_table.hpp",
+    "hls/surface/transform.hpp",
+    "hls/surface/transform_normal.hpp",
+    "hls/surface/vertex.hpp",
+    "hls/edge/calculate_new_n.hpp",
+    "hls/edge/calculate_new_p.hpp",
+    "hls/edge/calculate_new_u.hpp",
+    "hls/edge/displace_vertex.hpp",
+    "hls/edge/engine.hpp",
+    "hls/edge/get_triangle.hpp",
+    "hls/edge/highlight_test.hpp",
+    "hls/edge/normal_test.hpp",
+    "hls/edge/pass_or_tessellate.hpp",
+    "hls/edge/profile_test.hpp",
+    "hls/edge/summed_height_test.hpp",
+    "hls/edge/tessellate.hpp",
+    "hls/edge/tex_coord_test.hpp",
+    "hls/edge/triangle_queue.hpp",
+    "hls/edge/view_test.hpp",
+}
 
 
 def main():
@@ -55,6 +106,13 @@ def main():
         if str(path) not in NO_TEST:
             need(path, Path("tests", *path.parts[1:]).with_suffix(".cpp"), "a unit has a test of its own")
 
+    def need_circuit(path):
+        circuit = Path("rtl", *path.parts[1:]).with_suffix(".sv")
+        test = Path("tests", *path.parts[1:-1], f"{path.stem}_rtl.cpp")
+        for twin, why in ((circuit, "a kernel has a circuit"), (test, "a circuit has a test of its own")):
+            if not (root / twin).is_file():
+                findings.add(path, "circuit", f"{why}: {twin} is missing")
+
     kernels = sources(root, *(f"hls/{layer}" for layer in LAYERS), suffixes=(".hpp",))
     for path in kernels:
         need(path, Path("golden", *path.parts[1:]), "a kernel has a golden twin")
@@ -66,7 +124,11 @@ def main():
     tops = sources(root, "hls/top", suffixes=(".cpp",))
     for path in core + tops:
         need_test(path)
-    for excepted in [*NO_TEST, *NO_TWIN]:
+    if (root / "rtl").is_dir():
+        for path in core + kernels:
+            if str(path) not in NO_CIRCUIT and str(path) not in NOT_YET:
+                need_circuit(path)
+    for excepted in [*NO_TEST, *NO_TWIN, *NO_CIRCUIT, *NOT_YET]:
         if root == project_root() and not (root / excepted).is_file():
             findings.add("scripts/lint/mirror.py", "mirror", f"the exception for {excepted} names a file that is not there")
     return findings.finish(f"{len(kernels) + len(definitions) + len(core) + len(tops)} files")

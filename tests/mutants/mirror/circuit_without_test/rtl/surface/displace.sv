@@ -1,0 +1,1 @@
+// displace: the circuit.

@@ -1,0 +1,1 @@
+// displace: the golden twin.

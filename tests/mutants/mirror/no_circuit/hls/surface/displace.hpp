@@ -1,0 +1,2 @@
+// rejected: circuit
+// displace: a kernel.

@@ -1,0 +1,1 @@
+// memory_pkg: a package alone.

@@ -1,0 +1,1 @@
+// displace: its test.

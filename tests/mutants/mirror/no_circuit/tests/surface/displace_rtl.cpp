@@ -1,0 +1,1 @@
+// displace: its circuit's test.
