@@ -1,6 +1,5 @@
-// map_memories: what the read ports of the map memories carry (rtl/surface/memory_pkg.sv), as records, and memories that answer them.
+// map_memories: answers of the map memories' read ports (tb/cosim/map_words.hpp) from a test map.
 //
-//   quad_request -> texel_quad, normal_quad;  table_request -> table_word;  group<Record, N>: N of them, asked for and answered together
 //   texel_answers(map), normal_answers(map), table_answers(map)   request -> answer from a test_map, for RELIEVO_MEMORY_PORT
 //   in_group<N>(answers)                                          the same for a group of N
 //   A coordinate outside the map is a failure of the test. Table words that are not to be read are answered all the same, with a word of
@@ -8,43 +7,17 @@
 #pragma once
 #include <gtest/gtest.h>
 
-#include "hls/core/packed.hpp"
+#include "tb/cosim/map_words.hpp"
 #include "tests/support/maps.hpp"
 
 namespace relievo::test {
 
-struct quad_request {
-  hls::fixed<formats::map_size> x[2];
-  hls::fixed<formats::map_size> y[2];
-  RELIEVO_FIELDS(x, y)
-};
-// [row][column]
-struct texel_quad {
-  hls::fixed<formats::texel> q[2][2];
-  RELIEVO_FIELDS(q)
-};
-// [row][column][component]
-struct normal_quad {
-  hls::fixed<formats::unit> q[2][2][3];
-  RELIEVO_FIELDS(q)
-};
-
-struct table_request {
-  bool read;
-  hls::fixed<formats::map_size> x;
-  hls::fixed<formats::map_size> y;
-  RELIEVO_FIELDS(read, x, y)
-};
-struct table_word {
-  hls::fixed<formats::table_sum> word;
-  RELIEVO_FIELDS(word)
-};
-
-template <class Record, int N>
-struct group {
-  Record at[N];
-  RELIEVO_FIELDS(at)
-};
+using tb::group;
+using tb::normal_quad;
+using tb::quad_request;
+using tb::table_request;
+using tb::table_word;
+using tb::texel_quad;
 
 namespace detail {
 
