@@ -23,4 +23,11 @@ package memory_pkg;
     map_size_t x;
     logic      read;
   } table_request_t;
+
+  // What a builder of the summed-area table writes: word (x, y) of it.
+  typedef struct packed {
+    table_sum_t sum;
+    map_size_t  y;
+    map_size_t  x;
+  } table_write_t;
 endpackage
