@@ -75,7 +75,7 @@ module divide #(
     end
   end
 
-  // Beside step 0: does u lie beyond either end?
+  // Beside step 0: does u lie beyond either end? Where it is negative, high means nothing.
   typedef struct packed {
     logic low;
     logic high;
@@ -83,7 +83,7 @@ module divide #(
   ends_t clip_q, clip;
   always_ff @(posedge clk_i) begin
     clip_q.low  <= s1_sum_q[Wide-1];
-    clip_q.high <= !s1_sum_q[Wide-1] && s1_sum_q[Wide-1:Q] >= (Wide - Q)'(den_q[0]);
+    clip_q.high <= s1_sum_q[Wide-1:Q] >= (Wide - Q)'(den_q[0]);
   end
   delay #(.T(ends_t), .Stages(Q - 1)) i_clip (.clk_i, .x_i(clip_q), .y_o(clip));
 

@@ -5,13 +5,12 @@
 //
 // divide: the circuit equals the kernel in the two formats of the project, at the boundaries between quotients and between clipped and not,
 // and for every pair of two small formats; one division a clock, Q + 3 clocks later.
+#include <array>
+
 #include "Vdivide.h"
 #include "Vdivide_mean.h"
 #include "Vdivide_small.h"
 #include "Vdivide_small_unsigned.h"
-
-#include <array>
-
 #include "hls/core/divide.hpp"
 #include "tests/support/pipeline.hpp"
 
@@ -90,9 +89,7 @@ template <class Divider, class To, class N, class D>
 void every_quotient() {
   constexpr std::uint64_t all = std::uint64_t(1) << (N::width + D::width);
   std::uint64_t number = 0;
-  const auto next = [&number](in_only<N, D>& v, generator&) {
-    v.in = tb::get<operands<N, D>>(number++ % all);
-  };
+  const auto next = [&number](in_only<N, D>& v, generator&) { v.in = tb::get<operands<N, D>>(number++ % all); };
   do equals_kernel<Divider, To, N, D>(next);
   while (number < all && !testing::Test::HasFailure());
 }
