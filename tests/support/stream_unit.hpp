@@ -10,8 +10,9 @@
 //   traffic     how often a source idles and a sink stalls, in sixteenths, and the latency of the memories, fixed or random; they also
 //               refuse requests as often as the sink stalls
 //   all_traffic() is {no idle, idle} x {no stall, stall} x {latency 1, random}.
-//   The registers are drawn once a call. Checked besides the words: out holds while it is not taken, nothing comes out that was not
-//   asked for, nothing stays behind, and a watchdog of 10,000 clocks without a word.
+//   The registers are drawn once a call. in_i and the answers carry random bits while they are not valid. Checked besides the words:
+//   out holds while it is not taken, nothing comes out for which nothing went in, nothing stays behind, and a watchdog of 10,000 clocks
+//   without a word.
 #pragma once
 #include <verilated.h>
 
@@ -42,17 +43,22 @@ struct memory_port {
   std::function<void(Model&, bool)> set_ready;
   std::function<std::function<void(Model&)>(Model const&)> answer;  // the request of now -> what puts its answer on the port
   std::function<void(Model&, bool)> set_valid;
+  std::function<void(Model&, generator&)> scramble;  // any word on the port while it answers nothing
 };
 
-#define RELIEVO_MEMORY_PORT(Model, prefix, Request, answer_of)                               \
-  ::relievo::test::memory_port<Model> {                                                      \
-    [](Model const& m) { return m.prefix##_req_valid_o && m.prefix##_req_ready_i; },         \
-        [](Model& m, bool ready) { m.prefix##_req_ready_i = ready; },                        \
-        [=](Model const& m) -> std::function<void(Model&)> {                                 \
-          const auto response = answer_of(::relievo::tb::get<Request>(m.prefix##_req_o));    \
-          return [response](Model& to) { ::relievo::tb::put(to.prefix##_rsp_i, response); }; \
-        },                                                                                   \
-        [](Model& m, bool valid) { m.prefix##_rsp_valid_i = valid; }                         \
+#define RELIEVO_MEMORY_PORT(Model, prefix, Request, answer_of)                                                       \
+  ::relievo::test::memory_port<Model> {                                                                              \
+    [](Model const& m) { return m.prefix##_req_valid_o && m.prefix##_req_ready_i; },                                 \
+        [](Model& m, bool ready) { m.prefix##_req_ready_i = ready; },                                                \
+        [=](Model const& m) -> std::function<void(Model&)> {                                                         \
+          const auto response = answer_of(::relievo::tb::get<Request>(m.prefix##_req_o));                            \
+          return [response](Model& to) { ::relievo::tb::put(to.prefix##_rsp_i, response); };                         \
+        },                                                                                                           \
+        [](Model& m, bool valid) { m.prefix##_rsp_valid_i = valid; }, [=](Model& m, ::relievo::test::generator& g) { \
+          decltype(answer_of(Request{})) any{};                                                                      \
+          draw_vector(any, ::relievo::test::draw::uniform, g);                                                       \
+          ::relievo::tb::put(m.prefix##_rsp_i, any);                                                                 \
+        }                                                                                                            \
   }
 
 template <class Model, class V, class Shape, class Expected>
@@ -108,6 +114,12 @@ std::uint64_t stream_test(traffic const& t, Shape shape, Expected expected, std:
       tb::put(model.in_i, v.in);
       offered = true;
     }
+    // What is not valid is not looked at.
+    if (!offered) {
+      V any{};
+      draw_vector(any, draw::uniform, g);
+      tb::put(model.in_i, any.in);
+    }
     model.in_valid_i = offered;
     model.out_ready_i = g.below(16) >= t.stall;
     for (std::size_t i = 0; i < ports.size(); ++i) {
@@ -117,6 +129,8 @@ std::uint64_t stream_test(traffic const& t, Shape shape, Expected expected, std:
       if (due) {
         answers[i].front().put(model);
         answers[i].pop_front();
+      } else {
+        ports[i].scramble(model, g);
       }
     }
     model.eval();
@@ -175,6 +189,8 @@ std::uint64_t stream_test(traffic const& t, Shape shape, Expected expected, std:
     model.eval();
     ++clocks;
   }
+  for (auto const& list : answers)
+    if (!list.empty()) ADD_FAILURE() << list.size() << " requests more than the words needed";
   return last - first + 1;
 }
 
