@@ -2,6 +2,7 @@
 //
 //   texel_answers(map), normal_answers(map), table_answers(map)   request -> answer from a test_map, for RELIEVO_MEMORY_PORT
 //   in_group<N>(answers)                                          the same for a group of N
+//   map_stimulus<In>, map_stimulus<In, Regs>                      input vectors of a unit that reads a map: in, map and regs
 //   A coordinate outside the map is a failure of the test. Table words that are not to be read are answered all the same, with a word of
 //   no meaning, whatever their coordinates.
 #pragma once
@@ -18,6 +19,21 @@ using tb::quad_request;
 using tb::table_request;
 using tb::table_word;
 using tb::texel_quad;
+
+struct no_regs {};
+template <class In, class Regs = no_regs>
+struct map_stimulus {
+  In in;
+  hls::map_regs map;
+  Regs regs;
+  RELIEVO_FIELDS(in, map, regs)
+};
+template <class In>
+struct map_stimulus<In, no_regs> {
+  In in;
+  hls::map_regs map;
+  RELIEVO_FIELDS(in, map)
+};
 
 namespace detail {
 
