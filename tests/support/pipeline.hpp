@@ -1,11 +1,12 @@
 // pipeline: drives the Verilated model of a pure pipeline and holds it against the kernel, word by word, with its promised latency.
 //
-//   pipeline_test<Model, V>(latency, shape, expected, same = all words)
+//   pipeline_test<Model, V>(latency, shape, expected, same = all words, ports = in_i and out_o)
 //     Model     Verilated module with clk_i, in_i, out_o and, where V has them, regs_i, map_i, max_generation_i
 //     V         stimulus<In, Regs>, or any record of in, regs, map and max_generation
 //     shape     as in for_vectors: brings a drawn vector into the unit's domain
 //     expected  v -> the kernel's out record
 //     same      (rtl, hls) -> AssertionResult, for a unit of whose out record some words say nothing
+//     ports     in(model, in), out<Out>(model), for a unit whose words are on ports of other names
 //   A new vector goes in every clock: initiation interval 1. Each answer is looked at exactly latency clocks after its vector: a
 //   pipeline that is shorter or longer shows another vector's. Registers change between bursts, when the pipeline has drained. Corners
 //   first, then rtl_vector_count() random vectors.
@@ -78,6 +79,16 @@ void keep_constants(V& v, V const& first) {
   keep_max_generation(v, first, 0);
 }
 
+struct one_port {
+  template <class Model, class In>
+  void in(Model& model, In const& word) const {
+    tb::put(model.in_i, word);
+  }
+  template <class Out, class Model>
+  Out out(Model const& model) const {
+    return tb::get<Out>(model.out_o);
+  }
+};
 struct all_words {
   template <class Out>
   testing::AssertionResult operator()(Out const& rtl, Out const& hls) const {
@@ -87,8 +98,8 @@ struct all_words {
 
 }  // namespace detail
 
-template <class Model, class V, class Shape, class Expected, class Same = detail::all_words>
-void pipeline_test(int latency, Shape shape, Expected expected, Same same = {}) {
+template <class Model, class V, class Shape, class Expected, class Same = detail::all_words, class Ports = detail::one_port>
+void pipeline_test(int latency, Shape shape, Expected expected, Same same = {}, Ports ports = {}) {
   using Out = decltype(expected(std::declval<V const&>()));
   struct pending {
     V v;
@@ -115,13 +126,13 @@ void pipeline_test(int latency, Shape shape, Expected expected, Same same = {}) 
     const std::optional<pending> done = inside.front();
     inside.pop_front();
     if (!done) return true;
-    const auto result = same(tb::get<Out>(model.out_o), done->out);
+    const auto result = same(ports.template out<Out>(model), done->out);
     if (!result)
       ADD_FAILURE() << "rtl against hls, " << result.message() << "\nclock " << clocks << ", seed " << seed() << ":\n" << describe(done->v);
     return static_cast<bool>(result);
   };
   const auto feed = [&](V const& v) {
-    tb::put(model.in_i, v.in);
+    ports.in(model, v.in);
     return clock(pending{v, expected(v)});
   };
   const auto drain = [&] {
