@@ -92,8 +92,8 @@ def shell(module, rtlil):
 
 def latency(root, path):
     """Clocks, or what the header says they depend on."""
-    found = re.search(r"\blatency ([^,;.:()]+)", " ".join(header(root / path)))
-    return found.group(1).strip() if found else ""
+    said = (re.match(r"latency ([^,;.:()]+)", line) for line in header(root / path))
+    return next((match.group(1).strip() for match in said if match), "")
 
 
 def elaborate(root, path, folder):
