@@ -2,7 +2,7 @@
 # Variants of a module with other parameters: <unit>_rtl.cpp may begin with lines
 #   // verilate: PREFIX NAME=VALUE ...
 # one a variant; without any there is one model, V<unit>.
-file(GLOB rtl_tests CONFIGURE_DEPENDS core/*_rtl.cpp surface/*_rtl.cpp edge/*_rtl.cpp)
+file(GLOB rtl_tests CONFIGURE_DEPENDS core/*_rtl.cpp surface/*_rtl.cpp edge/*_rtl.cpp top/*_rtl.cpp)
 foreach(test ${rtl_tests})
   get_filename_component(name ${test} NAME_WE)
   get_filename_component(folder ${test} DIRECTORY)
