@@ -21,7 +21,7 @@ module transform
   // The three dot products: 0 is x, 1 is y, 2 is w. Their words have the same widths, and different fractions.
   logic signed [2:0][25:0] row   [3];
   logic signed [51:0]      offset[3];
-  logic signed [53:0]      sum_q [3];
+  logic signed [52:0]      sum_q [3];
   assign row[0] = regs_i.row_x;
   assign row[1] = regs_i.row_y;
   assign row[2] = regs_i.row_w;
@@ -40,24 +40,26 @@ module transform
     always_ff @(posedge clk_i) begin
       first_q  <= 51'(product[0]) + 51'(product[1]);
       second_q <= 53'(product[2]) + 53'(offset[r]);
-      sum_q[r] <= 54'(first_q) + 54'(second_q);
+      sum_q[r] <= 53'(first_q) + 53'(second_q);
     end
   end
 
   // s0: the sums of x and y have 34 fractional bits, clip 20.
   clip_t      s0_x, s0_y;
-  logic [2:0] s0_clipped;
-  round_to #(.In(54), .Shift(14), .Out(38)) i_x (
+  logic [1:0] s0_clipped;
+  round_to #(.In(53), .Shift(14), .Out(38)) i_x (
     .clk_i, .x_i(sum_q[0]), .y_o(s0_x), .clipped_o(s0_clipped[0])
   );
-  round_to #(.In(54), .Shift(14), .Out(38)) i_y (
+  round_to #(.In(53), .Shift(14), .Out(38)) i_y (
     .clk_i, .x_i(sum_q[1]), .y_o(s0_y), .clipped_o(s0_clipped[1])
   );
 
-  // w: 44 fractional bits to 20. What is negative becomes 0: behind, where nothing counts as clipped.
+  // w: 44 fractional bits to 20. What is negative becomes 0: behind, where nothing counts as clipped. The formats of the
+  // registers and the position leave it below 128 + 3 * 16, so the other end is never reached.
   depth_t w;
-  round_to #(.In(54), .Shift(24), .Out(28), .Signed(1'b0)) i_w (
-    .clk_i, .x_i(sum_q[2]), .y_o(w), .clipped_o(s0_clipped[2])
+  logic   unused_w_clipped;
+  round_to #(.In(53), .Shift(24), .Out(28), .Signed(1'b0)) i_w (
+    .clk_i, .x_i(sum_q[2]), .y_o(w), .clipped_o(unused_w_clipped)
   );
 
   // behind, beside the first step of the division
