@@ -29,6 +29,10 @@ int refuse(int code, std::string message) {
 
 }  // namespace
 
+// SystemC's library asks for it when it is linked; this program has its own main.
+extern "C" int sc_main(int, char**);
+int sc_main(int, char**) { return 0; }
+
 int main(int argc, char** argv) {
   using namespace relievo::tb;
   CLI::App app("Relievo: displacement mapping in hardware, its models and its checks");

@@ -1,6 +1,7 @@
 // relievo compare: one scene through several models, their outputs equal word for word or the first difference.
 #include "tb/model/compare.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <sstream>
@@ -9,6 +10,7 @@
 #include "golden/surface/summed_area_table.hpp"
 #include "tb/commands/commands.hpp"
 #include "tb/commands/reporting.hpp"
+#include "tb/commands/rtl_arguments.hpp"
 #include "tb/commands/scene_arguments.hpp"
 #include "tb/host/input_error.hpp"
 
@@ -82,13 +84,15 @@ std::string rate_text(double per_second) {
 command add_compare(CLI::App& app) {
   struct arguments {
     scene_arguments scene;
+    rtl_arguments rtl;
     output_arguments out;
     std::string models = "golden,hls";
     bool rate = false, decisions = false;
   };
   const auto a = std::make_shared<arguments>();
-  app.add_option("--models", a->models, "two or more of golden,hls")->capture_default_str();
+  app.add_option("--models", a->models, "two or more of golden,hls,rtl")->capture_default_str();
   a->scene.add_to(app);
+  a->rtl.add_to(app);
   a->out.add_to(app);
   app.add_flag("--rate", a->rate, "measure the models' rates too")->group("Output");
   app.add_flag("--decisions", a->decisions, "let the ideal model decide every edge of the golden run again, and print the differences")
@@ -97,6 +101,7 @@ command add_compare(CLI::App& app) {
   return [a] {
     const std::vector<std::string> names = split_names(a->models);
     a->out.check(names.back());
+    a->rtl.apply();
     const scene sc = a->scene.make();
     std::vector<run_result> runs;
     for (std::string const& name : names) {
@@ -112,6 +117,12 @@ command add_compare(CLI::App& app) {
     report["scene"] = to_json(sc);
     if (error) report["error"] = to_json(*error);
     print_run(runs.back(), sc, error);
+    const bool circuit = std::find(names.begin(), names.end(), "rtl") != names.end();
+    if (circuit) {
+      const golden::counters& c = runs.back().counts;
+      print_cosim(c.edge_tests, c.triangles_out);
+      report["rtl"] = cosim_to_json(c.edge_tests);
+    }
     if (a->rate) {
       for (std::string const& name : names) {
         const double rate = edge_tests_per_second(*make_model(name, sc));
@@ -127,7 +138,7 @@ command add_compare(CLI::App& app) {
     bool equal = true;
     std::string text, first_difference;
     for (std::size_t i = 1; i < names.size(); ++i) {
-      const comparison c = compare_runs(names.front(), runs.front(), names[i], runs[i]);
+      const comparison c = compare_runs(names.front(), runs.front(), names[i], runs[i], names.front() != "rtl" && names[i] != "rtl");
       equal = equal && c.equal();
       text += names[i] + (c.equal() ? " = " : " != ") + names.front() + ": " + grouped(c.triangles) + " triangles, " +
               grouped(c.words_different) + " words differ\n";

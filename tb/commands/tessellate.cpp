@@ -3,6 +3,7 @@
 
 #include "tb/commands/commands.hpp"
 #include "tb/commands/reporting.hpp"
+#include "tb/commands/rtl_arguments.hpp"
 #include "tb/commands/scene_arguments.hpp"
 #include "tb/commands/vectors.hpp"
 #include "tb/host/input_error.hpp"
@@ -12,12 +13,14 @@ namespace relievo::tb {
 command add_tessellate(CLI::App& app) {
   struct arguments {
     scene_arguments scene;
+    rtl_arguments rtl;
     output_arguments out;
     std::string model = "hls", vectors;
   };
   const auto a = std::make_shared<arguments>();
-  app.add_option("--model", a->model, "ideal|golden|hls")->capture_default_str();
+  app.add_option("--model", a->model, "ideal|golden|hls|rtl")->capture_default_str();
   a->scene.add_to(app);
+  a->rtl.add_to(app);
   a->out.add_to(app);
   app.add_option("--vectors", a->vectors, "OUT.vec: the scene and its output as raw words, for replay")->group("Output");
   app.footer("Example: relievo tessellate --mesh plane:8 --displacement half-donut -o donut.ply --image donut.png");
@@ -26,6 +29,7 @@ command add_tessellate(CLI::App& app) {
     if (!a->vectors.empty() && a->model == "ideal")
       throw input_error("--vectors: the ideal model's output has no raw words; take golden or hls");
     a->out.check(a->model, {a->vectors});
+    a->rtl.apply();
     const scene sc = a->scene.make();
     run_hooks hooks;
     hooks.progress = progress_hook(a->model, sc);
@@ -39,10 +43,12 @@ command add_tessellate(CLI::App& app) {
     report["scene"] = to_json(sc);
     report["seconds"] = run.seconds;
     if (error) report["error"] = to_json(*error);
+    if (a->model == "rtl") report["rtl"] = cosim_to_json(run.counts.edge_tests);
     if (!a->vectors.empty()) write_engine_vectors(a->vectors, sc, run);
     write_outputs(a->out, run, sc);
     write_report(a->out, report);
     print_run(run, sc, error);
+    if (a->model == "rtl") print_cosim(run.counts.edge_tests, run.counts.triangles_out);
     return 0;
   };
 }

@@ -39,4 +39,12 @@ struct group {
   RELIEVO_FIELDS(at)
 };
 
+// The quads that profile_test asks for together, and which of them it wants: the others may lie anywhere.
+template <int N>
+struct wanted_quads {
+  group<quad_request, N> quads;
+  bool wanted[N];
+  RELIEVO_FIELDS(quads, wanted)
+};
+
 }  // namespace relievo::tb

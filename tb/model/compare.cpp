@@ -95,7 +95,9 @@ comparison compare_runs(std::string const& first_name, run_result const& first, 
   });
   std::size_t i = 0;
   const auto check = [&](std::uint64_t x) {
-    if (values[i].second != x)
+    // How full a queue was is a matter of time where triangles overtake each other.
+    const bool timed = !in_order && (values[i].first == "queue_high_water" || values[i].first == "fifo_fallbacks");
+    if (!timed && values[i].second != x)
       result.counters_different.push_back(values[i].first + ": " + first_name + " " + std::to_string(values[i].second) + ", " +
                                           second_name + " " + std::to_string(x));
     ++i;

@@ -2,7 +2,7 @@
 //
 //   In order for the sequential C++ models; as multisets for one whose queue reorders. The first difference is told with the field, both
 //   words in hex and as numbers, the base triangle and the path of splits that led there (from golden).
-//   Counters are compared too: none of them depends on time.
+//   Counters are compared too: none of them depends on time but those of the queue, which are left out where the order is free.
 #pragma once
 #include <cstdint>
 #include <string>

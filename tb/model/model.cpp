@@ -7,7 +7,8 @@
 #include "golden/edge/engine.hpp"
 #include "hls/edge/engine.hpp"
 #include "tb/host/input_error.hpp"
-#include "tb/model/hls_maps.hpp"
+#include "tb/model/hls_words.hpp"
+#include "tb/model/rtl_model.hpp"
 #include "tb/model/words.hpp"
 
 namespace relievo::tb {
@@ -52,33 +53,20 @@ class golden_model : public model {
 
 class hls_model : public model {
  public:
-  explicit hls_model(scene const& sc) : engine_(std::make_unique<hls::engine<queue_depth>>()), texels_(sc.map.texels.data()) {
-    if (sc.regs.pass.use_sht) table_ = build_summed_area_table(sc);
-    built_normals normals = build_normal_map(sc);
-    normals_ = std::move(normals.words);
-    map_saturations_ = normals.saturations;
-    bool exact = to_hls(sc.regs, regs_);
-    base_.reserve(sc.triangles.size());
-    for (golden::triangle const& t : sc.triangles) {
-      base_.emplace_back();
-      exact = to_hls(t, base_.back()) && exact;
-    }
-    if (!exact) throw std::logic_error("a register or a base triangle of the scene is not quantised to its format");
-  }
+  explicit hls_model(scene const& sc) : engine_(std::make_unique<hls::engine<queue_depth>>()), words_(sc) {}
 
   golden::counters run(run_hooks const& hooks) override {
-    const hls::engine_memories memories = {{texels_}, {table_.empty() ? nullptr : table_.data()}, {normals_.data()}};
     hls::stream<hls::triangle, 2> in("base triangles");
     hls::stream<hls::triangle_out, 2> out("output triangles");
     golden::triangle_out converted;
     std::size_t begun = 0;
     engine_->start();
     while (!engine_->done()) {
-      if (engine_->wants_input() && in.empty() && begun < base_.size()) {
-        in.write(base_[begun++]);
+      if (engine_->wants_input() && in.empty() && begun < words_.triangles().size()) {
+        in.write(words_.triangles()[begun++]);
         if (hooks.progress) hooks.progress(begun);
       }
-      engine_->step(in, out, regs_, memories);
+      engine_->step(in, out, words_.regs(), words_.memories());
       while (!out.empty()) {
         const hls::triangle_out t = out.read();
         if (!hooks.out) continue;
@@ -86,57 +74,38 @@ class hls_model : public model {
         hooks.out(converted);
       }
     }
-    golden::counters counts;
-    copy_counters(engine_->counts(), counts);
-    counts.saturations += map_saturations_;
-    return counts;
-  }
-
- private:
-  // Same fields in the same order.
-  static void copy_counters(hls::counters const& from, golden::counters& to) {
     std::vector<std::uint64_t> values;
-    const auto gather = [&](char const*, auto const& x) {
+    engine_->counts().each_field([&](char const*, auto const& x) {
       if constexpr (std::is_array_v<std::remove_reference_t<decltype(x)>>)
         values.insert(values.end(), std::begin(x), std::end(x));
       else
         values.push_back(x);
-    };
-    from.each_field(gather);
-    std::size_t i = 0;
-    to.each_field([&](char const*, auto& x) {
-      if constexpr (std::is_array_v<std::remove_reference_t<decltype(x)>>) {
-        for (auto& e : x) e = values[i++];
-      } else {
-        x = values[i++];
-      }
     });
+    return words_.counters(values);
   }
 
+ private:
   std::unique_ptr<hls::engine<queue_depth>> engine_;
-  std::uint16_t const* texels_;
-  std::vector<std::uint64_t> table_, normals_;
-  std::uint64_t map_saturations_ = 0;
-  hls::engine_regs regs_;
-  std::vector<hls::triangle> base_;
+  hls_words words_;
 };
 
 }  // namespace
 
 std::vector<std::string> const& model_names() {
-  static const std::vector<std::string> names = {"ideal", "golden", "hls"};
+  static const std::vector<std::string> names = {"ideal", "golden", "hls", "rtl"};
   return names;
 }
 
 void check_model_name(std::string const& name) {
   if (std::find(model_names().begin(), model_names().end(), name) == model_names().end())
-    throw input_error("--model: '" + name + "' is no model; known are ideal, golden, hls");
+    throw input_error("--model: '" + name + "' is no model; known are ideal, golden, hls, rtl");
 }
 
 std::unique_ptr<model> make_model(std::string const& name, scene const& sc) {
   check_model_name(name);
   if (name == "ideal") return std::make_unique<golden_model<golden::exact>>(sc);
   if (name == "golden") return std::make_unique<golden_model<golden::rounded>>(sc);
+  if (name == "rtl") return make_rtl_model(sc);
   return std::make_unique<hls_model>(sc);
 }
 

@@ -3,6 +3,7 @@
 //   ideal   golden formulas, no rounding
 //   golden  golden formulas, rounded at the named registers
 //   hls     the synthesizable C++, its maps built by its own streaming builders
+//   rtl     the circuit, Verilated, in its SystemC bench (tb/cosim); its triangles come in an order of their own
 //
 // Every model puts out golden::triangle_out, in engine units; golden and hls hold words exactly, so that equal words are equal doubles.
 // barycentric weights and path are filled in by ideal and golden alone.

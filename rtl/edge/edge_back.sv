@@ -1,0 +1,162 @@
+// edge_back: what a lane does once the maps have been read at the new vertex: N', the tests on normals, the way to the screen, and the
+// decision.
+//   contract: test_edge and place of hls/edge/engine.hpp, after the samplers
+//   in    in_i      the new vertex and what the earlier tests said
+//         normal_i  its sample of the normal map;  displaced_i  its P'
+//   out   out_o     the vertex, complete with P'_s and N'_s; whether the edge splits there; what to count
+//
+//   latency Bump + the longer of (HighlightTest, PassOrTessellate) and (TransformNormal), or Transform: see Latency; initiation interval 1
+//
+//   m --[bump]-- N' --+--[normal_test, highlight_test]--[pass_or_tessellate]-- split
+//                     +--[transform_normal]-- N'_s
+//   P' --[transform]-- P'_s
+module edge_back
+  import formats_pkg::*;
+  import surface_pkg::*;
+  import edge_pkg::*;
+  import lane_pkg::*;
+  import latency_pkg::*;
+#(
+  localparam int unsigned Tests = (NormalTest > HighlightTest ? NormalTest : HighlightTest) + PassOrTessellate,
+  localparam int unsigned AfterBump = Tests > TransformNormal ? Tests : TransformNormal,
+  localparam int unsigned Latency = Bump + AfterBump > Transform ? Bump + AfterBump : Transform
+) (
+  input  logic                 clk_i,
+  input  engine_regs_t         regs_i,
+  input  new_vertex_t          in_i,
+  input  normal_sampler_out_t  normal_i,
+  input  displace_vertex_out_t displaced_i,
+  output lane_out_t            out_o
+);
+  // N', and what comes after it.
+  bump_out_t s0_bump, s1_bump;
+  bump i_bump (.clk_i, .in_i('{m: normal_i.n, t: in_i.t, n: in_i.n}), .out_o(s0_bump));
+  delay #(.T(bump_out_t), .Stages(Latency - Bump)) i_bump_later (.clk_i, .x_i(s0_bump), .y_o(s1_bump));
+
+  unit_t [2:0] s0_n1, s0_n2;
+  delay #(.T(unit_t [2:0]), .Stages(Bump)) i_n1 (.clk_i, .x_i(in_i.n1), .y_o(s0_n1));
+  delay #(.T(unit_t [2:0]), .Stages(Bump)) i_n2 (.clk_i, .x_i(in_i.n2), .y_o(s0_n2));
+  localparam int unsigned TestsOnly = Tests - PassOrTessellate;
+  normal_test_out_t s0_nt, s1_nt, s2_nt;
+  normal_test i_nt (
+    .clk_i, .regs_i(regs_i.normal), .in_i('{n12: s0_bump.n, n2: s0_n2, n1: s0_n1}), .out_o(s0_nt)
+  );
+  delay #(.T(normal_test_out_t), .Stages(TestsOnly - NormalTest)) i_nt_later (
+    .clk_i, .x_i(s0_nt), .y_o(s1_nt)
+  );
+  highlight_test_out_t s0_ht, s1_ht, s2_ht;
+  highlight_test i_ht (
+    .clk_i, .regs_i(regs_i.highlight), .in_i('{n12: s0_bump.n, n2: s0_n2, n1: s0_n1}), .out_o(s0_ht)
+  );
+  delay #(.T(highlight_test_out_t), .Stages(TestsOnly - HighlightTest)) i_ht_later (
+    .clk_i, .x_i(s0_ht), .y_o(s1_ht)
+  );
+
+  typedef struct packed {
+    generation_t generation;
+    logic        place;
+    logic        pt;
+    logic        sht;
+    logic        ct;
+    logic        vt;
+  } decision_t;
+  decision_t s1_tests;
+  delay #(.T(decision_t), .Stages(Bump + TestsOnly)) i_tests (
+    .clk_i,
+    .x_i('{
+        generation: in_i.generation,
+        place: in_i.place,
+        pt: in_i.pt,
+        sht: in_i.sht,
+        ct: in_i.ct,
+        vt: in_i.vt
+    }),
+    .y_o(s1_tests)
+  );
+  pass_or_tessellate_out_t s1_split, s2_split;
+  pass_or_tessellate i_split (
+    .clk_i,
+    .regs_i(regs_i.pass),
+    .in_i('{
+        settled: s1_tests.place,
+        generation: s1_tests.generation,
+        ct: s1_tests.ct,
+        vt: s1_tests.vt,
+        ht: s1_ht.ht,
+        pt: s1_tests.pt,
+        sht: s1_tests.sht,
+        nt: s1_nt.nt
+    }),
+    .out_o(s1_split)
+  );
+  delay #(.T(pass_or_tessellate_out_t), .Stages(Latency - Bump - Tests)) i_split_later (
+    .clk_i, .x_i(s1_split), .y_o(s2_split)
+  );
+  delay #(.T(normal_test_out_t), .Stages(Latency - Bump - TestsOnly)) i_nt_end (
+    .clk_i, .x_i(s1_nt), .y_o(s2_nt)
+  );
+  delay #(.T(highlight_test_out_t), .Stages(Latency - Bump - TestsOnly)) i_ht_end (
+    .clk_i, .x_i(s1_ht), .y_o(s2_ht)
+  );
+
+  // To the screen.
+  position_t [2:0] s0_p;
+  delay #(.T(position_t [2:0]), .Stages(Bump)) i_p (.clk_i, .x_i(displaced_i.p), .y_o(s0_p));
+  transform_normal_out_t s0_normal, s1_normal;
+  transform_normal i_transform_normal (
+    .clk_i, .regs_i(regs_i.transform_normal), .in_i('{n: s0_bump.n, p: s0_p}), .out_o(s0_normal)
+  );
+  delay #(.T(transform_normal_out_t), .Stages(Latency - Bump - TransformNormal)) i_normal_later (
+    .clk_i, .x_i(s0_normal), .y_o(s1_normal)
+  );
+  transform_out_t s0_seen, s1_seen;
+  transform i_transform (
+    .clk_i, .regs_i(regs_i.transform), .in_i('{p: displaced_i.p}), .out_o(s0_seen)
+  );
+  delay #(.T(transform_out_t), .Stages(Latency - Transform)) i_seen_later (
+    .clk_i, .x_i(s0_seen), .y_o(s1_seen)
+  );
+
+  // What came in, beside its results.
+  new_vertex_t          later;
+  displace_vertex_out_t displaced;
+  delay #(.T(new_vertex_t), .Stages(Latency)) i_later (.clk_i, .x_i(in_i), .y_o(later));
+  delay #(.T(displace_vertex_out_t), .Stages(Latency)) i_displaced (
+    .clk_i, .x_i(displaced_i), .y_o(displaced)
+  );
+
+  logic stays, past;
+  assign stays = later.place || s2_split.split;
+  // Past vt and ct, the tests that are asked first.
+  assign past = !later.place && (later.vt || !regs_i.pass.use_vt) && (later.ct || !regs_i.pass.use_ct);
+  always_comb begin
+    out_o = '0;
+    out_o.m.p = later.p;
+    out_o.m.n = later.n;
+    out_o.m.t = later.t;
+    out_o.m.u = later.u;
+    out_o.m.displaced_p = displaced.p;
+    out_o.m.displaced_n = s1_bump.n;
+    out_o.m.screen = s1_seen.screen;
+    out_o.m.w = s1_seen.w;
+    out_o.m.behind = s1_seen.behind;
+    out_o.m.screen_n = s1_normal.n;
+    out_o.m.away = s1_normal.away;
+    out_o.m.displaced = 1'b1;
+    out_o.m.transformed = 1'b1;
+    out_o.split = s2_split.split;
+    out_o.counts.edge_test = !later.place;
+    out_o.counts.vt = !later.place && regs_i.pass.use_vt && !later.vt;
+    out_o.counts.ct = !later.place && (later.vt || !regs_i.pass.use_vt) && regs_i.pass.use_ct && !later.ct;
+    out_o.counts.nt = past && regs_i.pass.use_nt && s2_nt.nt;
+    out_o.counts.sht = past && regs_i.pass.use_sht && later.sht;
+    out_o.counts.pt = past && regs_i.pass.use_pt && later.pt;
+    out_o.counts.ht = past && regs_i.pass.use_ht && s2_ht.ht;
+    out_o.counts.vertex = stays;
+    out_o.counts.saturations = stays ? 2'(displaced.saturated) + 2'(s1_bump.saturated) : 2'd0;
+    out_o.counts.screen_saturation = stays && s1_seen.saturated;
+    out_o.counts.zero_vectors = stays ? later.zeros + 2'(s1_bump.zero) : 2'd0;
+    out_o.counts.table_read = past && regs_i.pass.use_sht;
+    out_o.counts.profile_samples = past && regs_i.pass.use_pt ? later.samples : 5'd0;
+  end
+endmodule

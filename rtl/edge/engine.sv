@@ -1,0 +1,379 @@
+// engine: base triangles in, adaptively tessellated and displaced triangles out.
+//   Doggett & Hirche 2000, Figures 7 and 8; contract: hls/edge/engine.hpp, which puts out the same triangles in another order
+//
+//   start_i   begins a mesh; the registers hold until done_o. in_i: base triangles, the last one says so; out_o: triangles, the last says so
+//   regs_i    engine_regs;  memories: read ports of each lane, see edge_lane
+//   done_o    no mesh is running: all of the last one has left; error_o: the queue overflowed, which its rule makes impossible
+//
+//   A triangle goes round: queue, get_triangle, the lanes, tessellate, and its children to the queue. A child whose edges are all settled
+//   is finished when it is born and goes out at once: settled edges cost nothing. A base triangle goes round once more, for its vertices.
+//   one unsettled edge a clock and lane; every boundary is registered
+//
+//   in --+--[get_triangle]--[dispatch]--+--[edge_lane]----+--[collect]--[tessellate]--[results]--+-- out
+//        |                              +--[flight FIFO]--+                                      |
+//        +----------------------------------[triangle_queue]-------------------------------------+
+module engine
+  import formats_pkg::*;
+  import surface_pkg::*;
+  import memory_pkg::*;
+  import edge_pkg::*;
+  import lane_pkg::*;
+  import engine_pkg::*;
+  import latency_pkg::*;
+#(
+  parameter int unsigned Lanes = 1,
+  parameter int unsigned ReadsPerClock = 12,
+  parameter int unsigned SamplesPerClock = 4,
+  parameter int unsigned QueueDepth = 4096,
+  parameter int unsigned InFlight = 128
+) (
+  input  logic         clk_i,
+  input  logic         rst_ni,
+  input  logic         start_i,
+  output logic         done_o,
+  output logic         error_o,
+  input  engine_regs_t regs_i,
+  output counters_t    counters_o,
+
+  input  logic           in_valid_i,
+  output logic           in_ready_o,
+  input  base_triangle_t in_i,
+
+  output logic           [Lanes-1:0]                    table_req_valid_o,
+  input  logic           [Lanes-1:0]                    table_req_ready_i,
+  output table_request_t [Lanes-1:0][ReadsPerClock-1:0] table_req_o,
+  input  logic           [Lanes-1:0]                    table_rsp_valid_i,
+  input  table_sum_t     [Lanes-1:0][ReadsPerClock-1:0] table_rsp_i,
+
+  output logic          [Lanes-1:0]                      quad_req_valid_o,
+  input  logic          [Lanes-1:0]                      quad_req_ready_i,
+  output quad_request_t [Lanes-1:0][SamplesPerClock-1:0] quad_req_o,
+  output logic          [Lanes-1:0][SamplesPerClock-1:0] quad_req_mask_o,
+  input  logic          [Lanes-1:0]                      quad_rsp_valid_i,
+  input  texel_quad_t   [Lanes-1:0][SamplesPerClock-1:0] quad_rsp_i,
+
+  output logic          [Lanes-1:0] place_req_valid_o,
+  input  logic          [Lanes-1:0] place_req_ready_i,
+  output quad_request_t [Lanes-1:0] place_req_o,
+  input  logic          [Lanes-1:0] place_rsp_valid_i,
+  input  texel_quad_t   [Lanes-1:0] place_rsp_i,
+
+  output logic          [Lanes-1:0] normal_req_valid_o,
+  input  logic          [Lanes-1:0] normal_req_ready_i,
+  output quad_request_t [Lanes-1:0] normal_req_o,
+  input  logic          [Lanes-1:0] normal_rsp_valid_i,
+  input  normal_quad_t  [Lanes-1:0] normal_rsp_i,
+
+  output logic          out_valid_o,
+  input  logic          out_ready_i,
+  output triangle_out_t out_o
+);
+  // Triangles between their pop and their children: those of two maps' latencies and of all pipelines.
+  localparam int unsigned FlightDepth = 2 * InFlight + 256;
+
+  generation_t max_generation;
+  assign max_generation = regs_i.pass.max_generation;
+
+  // ---- the mesh: begun by start_i, its input over with the last base triangle
+  logic running_q, input_done_q, finish;
+  assign done_o = !running_q && !out_valid_o;
+
+  // ---- the next triangle: from the queue, or from outside when the queue has none
+  logic pop_valid, pop_ready, may_take, take, push_valid, retire, queue_idle;
+  triangle_t popped, pushed;
+  logic [15:0] high_water;
+  logic [$clog2(QueueDepth+1)-1:0] unused_count, unused_in_flight;
+  logic [63:0] fallbacks;
+  triangle_queue #(.T(triangle_t), .Depth(QueueDepth), .InFlight(FlightDepth)) i_queue (
+    .clk_i,
+    .rst_ni(rst_ni && !start_i),
+    .regs_i(regs_i.queue),
+    .max_generation_i(max_generation),
+    .push_valid_i(push_valid),
+    .push_i(pushed),
+    .pop_valid_o(pop_valid),
+    .pop_ready_i(pop_ready),
+    .pop_o(popped),
+    .retire_i(retire),
+    .take_i(take),
+    .may_take_o(may_take),
+    .count_o(unused_count),
+    .in_flight_o(unused_in_flight),
+    .high_water_o(high_water),
+    .fallbacks_o(fallbacks),
+    .idle_o(queue_idle),
+    .error_o
+  );
+
+  triangle_t base, next;
+  always_comb begin
+    base = '0;
+    for (int i = 0; i < 3; i++) begin
+      base.v[i].p = in_i.v[i].p;
+      base.v[i].n = in_i.v[i].n;
+      base.v[i].t = in_i.v[i].t;
+      base.v[i].u = in_i.v[i].u;
+    end
+    base.index = in_i.index;
+  end
+  logic take_open, got_ready;
+  assign take_open = running_q && !input_done_q && may_take && !pop_valid;
+  assign in_ready_o = take_open && got_ready;
+  assign take = in_valid_i && in_ready_o;
+  assign pop_ready = got_ready;
+  assign next = pop_valid ? popped : base;
+
+  // ---- get_triangle: what is asked of it
+  get_triangle_out_t got_data;
+  triangle_t         got_triangle;
+  get_triangle i_get_triangle (
+    .clk_i, .max_generation_i(max_generation), .in_i(next), .out_o(got_data)
+  );
+  delay #(.T(triangle_t), .Stages(GetTriangle)) i_got (.clk_i, .x_i(next), .y_o(got_triangle));
+  flight_t got, ready_flight;
+  always_comb begin
+    got.t = got_triangle;
+    got.t.settled = got_data.settled;
+    got.place = |got_data.new_surface;
+    got.ask = got.place ? 3'b111 : ~got_data.settled;
+  end
+  logic ready_valid, ready_ready;
+  stream_pipe #(.T(flight_t), .Latency(GetTriangle)) i_get_pipe (
+    .clk_i,
+    .rst_ni,
+    .in_valid_i(pop_valid || (take_open && in_valid_i)),
+    .in_ready_o(got_ready),
+    .data_i(got),
+    .out_valid_o(ready_valid),
+    .out_ready_i(ready_ready),
+    .out_o(ready_flight)
+  );
+
+  // ---- into the lanes
+  logic flight_in_valid, flight_in_ready, flight_valid, flight_ready;
+  flight_t flight_in, flight;
+  logic [Lanes-1:0] lane_in_valid, lane_in_ready, lane_valid, lane_ready;
+  lane_in_t [Lanes-1:0] lane_in;
+  lane_out_t [Lanes-1:0] lane_out;
+  edge_dispatch #(.Lanes(Lanes)) i_dispatch (
+    .clk_i,
+    .rst_ni,
+    .in_valid_i(ready_valid),
+    .in_ready_o(ready_ready),
+    .in_i(ready_flight),
+    .flight_valid_o(flight_in_valid),
+    .flight_ready_i(flight_in_ready),
+    .flight_o(flight_in),
+    .lane_valid_o(lane_in_valid),
+    .lane_ready_i(lane_in_ready),
+    .lane_o(lane_in)
+  );
+  logic [$clog2(FlightDepth+1)-1:0] unused_flight_count;
+  stream_fifo #(.T(flight_t), .Depth(FlightDepth)) i_flight (
+    .clk_i,
+    .rst_ni,
+    .in_valid_i(flight_in_valid),
+    .in_ready_o(flight_in_ready),
+    .in_i(flight_in),
+    .out_valid_o(flight_valid),
+    .out_ready_i(flight_ready),
+    .out_o(flight),
+    .count_o(unused_flight_count)
+  );
+  for (genvar i = 0; i < Lanes; i++) begin : gen_lane
+    edge_lane #(
+      .ReadsPerClock(ReadsPerClock),
+      .SamplesPerClock(SamplesPerClock),
+      .InFlight(InFlight)
+    ) i_lane (
+      .clk_i,
+      .rst_ni,
+      .regs_i,
+      .in_valid_i(lane_in_valid[i]),
+      .in_ready_o(lane_in_ready[i]),
+      .in_i(lane_in[i]),
+      .table_req_valid_o(table_req_valid_o[i]),
+      .table_req_ready_i(table_req_ready_i[i]),
+      .table_req_o(table_req_o[i]),
+      .table_rsp_valid_i(table_rsp_valid_i[i]),
+      .table_rsp_i(table_rsp_i[i]),
+      .quad_req_valid_o(quad_req_valid_o[i]),
+      .quad_req_ready_i(quad_req_ready_i[i]),
+      .quad_req_o(quad_req_o[i]),
+      .quad_req_mask_o(quad_req_mask_o[i]),
+      .quad_rsp_valid_i(quad_rsp_valid_i[i]),
+      .quad_rsp_i(quad_rsp_i[i]),
+      .place_req_valid_o(place_req_valid_o[i]),
+      .place_req_ready_i(place_req_ready_i[i]),
+      .place_req_o(place_req_o[i]),
+      .place_rsp_valid_i(place_rsp_valid_i[i]),
+      .place_rsp_i(place_rsp_i[i]),
+      .normal_req_valid_o(normal_req_valid_o[i]),
+      .normal_req_ready_i(normal_req_ready_i[i]),
+      .normal_req_o(normal_req_o[i]),
+      .normal_rsp_valid_i(normal_rsp_valid_i[i]),
+      .normal_rsp_i(normal_rsp_i[i]),
+      .out_valid_o(lane_valid[i]),
+      .out_ready_i(lane_ready[i]),
+      .out_o(lane_out[i])
+    );
+  end
+
+  // ---- the answers, and the children
+  logic collected_valid, collected_ready, collected_place;
+  tessellate_in_t collected;
+  edge_collect #(.Lanes(Lanes)) i_collect (
+    .clk_i,
+    .rst_ni,
+    .flight_valid_i(flight_valid),
+    .flight_ready_o(flight_ready),
+    .flight_i(flight),
+    .lane_valid_i(lane_valid),
+    .lane_ready_o(lane_ready),
+    .lane_i(lane_out),
+    .out_valid_o(collected_valid),
+    .out_ready_i(collected_ready),
+    .out_o(collected),
+    .place_o(collected_place)
+  );
+
+  // A triangle without a split stays as it is; a base triangle gets its vertices.
+  triangle_t whole, whole_later;
+  logic      split, split_later, born_later;
+  always_comb begin
+    whole = collected.t;
+    if (collected_place) whole.v = collected.m;
+    else whole.settled = '1;
+  end
+  assign split = |collected.split;
+  delay #(.T(triangle_t), .Stages(Tessellate)) i_whole (.clk_i, .x_i(whole), .y_o(whole_later));
+  delay #(.Stages(Tessellate)) i_split (.clk_i, .x_i(split), .y_o(split_later));
+  delay #(.Stages(Tessellate)) i_born (
+    .clk_i, .x_i(split || collected_place), .y_o(born_later)
+  );
+  tessellate_out_t children;
+  tessellate i_tessellate (
+    .clk_i,
+    .map_i(regs_i.map),
+    .max_generation_i(max_generation),
+    .in_i(collected),
+    .out_o(children)
+  );
+  result_t result_data, result;
+  always_comb begin
+    result_data.t = children.t;
+    result_data.born = born_later;
+    if (!split_later) result_data.t[0] = whole_later;
+    for (int i = 0; i < 4; i++) begin
+      logic there, finished;
+      there = split_later ? 3'(i) < children.count : i == 0;
+      finished = &result_data.t[i].settled;
+      result_data.to_out[i] = there && finished;
+      result_data.to_queue[i] = there && !finished;
+    end
+  end
+  logic result_valid, result_ready;
+  stream_pipe #(.T(result_t), .Latency(Tessellate)) i_tessellate_pipe (
+    .clk_i,
+    .rst_ni,
+    .in_valid_i(collected_valid),
+    .in_ready_o(collected_ready),
+    .data_i(result_data),
+    .out_valid_o(result_valid),
+    .out_ready_i(result_ready),
+    .out_o(result)
+  );
+
+  logic finished_valid, finished_ready;
+  triangle_t finished;
+  edge_results i_results (
+    .clk_i,
+    .rst_ni,
+    .in_valid_i(result_valid),
+    .in_ready_o(result_ready),
+    .in_i(result),
+    .push_valid_o(push_valid),
+    .push_o(pushed),
+    .retire_o(retire),
+    .out_valid_o(finished_valid),
+    .out_ready_i(finished_ready),
+    .out_o(finished)
+  );
+
+  // ---- out, one record late so that the last of the mesh can say so
+  logic hold_ready, holding_q, out_write, culled, arrives;
+  triangle_out_t held_q, out_word;
+  cull i_cull (
+    .away_i({finished.v[2].away, finished.v[1].away, finished.v[0].away}),
+    .regs_i(regs_i.pass),
+    .cull_o(culled)
+  );
+  assign finished_ready = !holding_q || hold_ready || culled;
+  assign arrives = finished_valid && finished_ready && !culled;
+  assign finish = running_q && input_done_q && queue_idle && hold_ready;
+  assign out_write = (arrives && holding_q) || finish;
+  always_comb begin
+    out_word = held_q;
+    if (finish) begin
+      if (!holding_q) begin
+        out_word = '0;
+        out_word.empty = 1'b1;
+      end
+      out_word.last = 1'b1;
+    end
+  end
+  logic [2:0] unused_out_count;
+  stream_fifo #(.T(triangle_out_t), .Depth(4)) i_out (
+    .clk_i,
+    .rst_ni,
+    .in_valid_i(out_write),
+    .in_ready_o(hold_ready),
+    .in_i(out_word),
+    .out_valid_o,
+    .out_ready_i,
+    .out_o,
+    .count_o(unused_out_count)
+  );
+
+  always_ff @(posedge clk_i) begin
+    if (arrives) held_q <= to_output(finished);
+    if (!rst_ni) begin
+      running_q <= 1'b0;
+      input_done_q <= 1'b0;
+      holding_q <= 1'b0;
+    end else if (start_i) begin
+      running_q <= 1'b1;
+      input_done_q <= 1'b0;
+      holding_q <= 1'b0;
+    end else begin
+      if (take && in_i.last) input_done_q <= 1'b1;
+      if (arrives) holding_q <= 1'b1;
+      if (finish) running_q <= 1'b0;
+    end
+  end
+
+  // ---- counters
+  logic tested;
+  lane_counts_t [Lanes-1:0] lane_counts;
+  for (genvar i = 0; i < Lanes; i++) begin : gen_counts
+    assign lane_counts[i] = lane_out[i].counts;
+  end
+  assign tested = collected_valid && collected_ready && !collected_place;
+  edge_counters #(.Lanes(Lanes)) i_counters (
+    .clk_i,
+    .rst_ni,
+    .clear_i(start_i),
+    .in_i(take),
+    .lane_valid_i(lane_valid & lane_ready),
+    .lane_i(lane_counts),
+    .tested_i(tested),
+    .settled_i(collected.t.settled),
+    .split_i(collected.split),
+    .born_i(retire && result.born ? 3'($countones(result.to_out)) : 3'd0),
+    .out_i(arrives),
+    .culled_i(finished_valid && culled),
+    .high_water_i(high_water),
+    .fallbacks_i(fallbacks),
+    .counters_o
+  );
+endmodule

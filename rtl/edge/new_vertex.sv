@@ -1,0 +1,59 @@
+// new_vertex: P, U, N and T at k/16 of an edge; a base vertex keeps its own.
+//   contract: new_vertex of hls/edge/engine.hpp, what comes before the normal map is read
+//
+//   latency CalculateNewN, initiation interval 1; a pure pipeline of calculate_new_p, _u and two of _n
+module new_vertex
+  import formats_pkg::*;
+  import edge_pkg::*;
+  import lane_pkg::*;
+  import latency_pkg::*;
+#(
+  localparam int unsigned Latency = CalculateNewN
+) (
+  input  logic        clk_i,
+  input  weighted_t   in_i,
+  output new_vertex_t out_o
+);
+  edge_end_t a, b;
+  assign a = in_i.work.a;
+  assign b = in_i.work.b;
+
+  // At k = 0 positions and coordinates are those of end a to the bit; normals would be normalised once more.
+  calculate_new_p_out_t s0_p, s1_p;
+  calculate_new_p i_p (.clk_i, .in_i('{k: in_i.k, p2: b.p, p1: a.p}), .out_o(s0_p));
+  delay #(.T(calculate_new_p_out_t), .Stages(Latency - CalculateNewP)) i_p_later (
+    .clk_i, .x_i(s0_p), .y_o(s1_p)
+  );
+  calculate_new_u_out_t s0_u, s1_u;
+  calculate_new_u i_u (.clk_i, .in_i('{k: in_i.k, u2: b.u, u1: a.u}), .out_o(s0_u));
+  delay #(.T(calculate_new_u_out_t), .Stages(Latency - CalculateNewU)) i_u_later (
+    .clk_i, .x_i(s0_u), .y_o(s1_u)
+  );
+  calculate_new_n_out_t s1_n, s1_t;
+  calculate_new_n i_n (
+    .clk_i, .in_i('{tangent: 1'b0, k: in_i.k, n2: b.n, n1: a.n}), .out_o(s1_n)
+  );
+  calculate_new_n i_t (
+    .clk_i, .in_i('{tangent: 1'b1, k: in_i.k, n2: b.t, n1: a.t}), .out_o(s1_t)
+  );
+
+  weighted_t later;
+  delay #(.T(weighted_t), .Stages(Latency)) i_later (.clk_i, .x_i(in_i), .y_o(later));
+
+  always_comb begin
+    out_o.p = s1_p.p;
+    out_o.u = s1_u.u;
+    out_o.n = later.work.place ? later.work.a.n : s1_n.n;
+    out_o.t = later.work.place ? later.work.a.t : s1_t.n;
+    out_o.zeros = later.work.place ? 2'd0 : 2'(s1_n.zero) + 2'(s1_t.zero);
+    out_o.n1 = later.work.a.displaced_n;
+    out_o.n2 = later.work.b.displaced_n;
+    out_o.pt = later.pt;
+    out_o.sht = later.sht;
+    out_o.ct = later.ct;
+    out_o.vt = later.vt;
+    out_o.samples = later.samples;
+    out_o.generation = later.work.generation;
+    out_o.place = later.work.place;
+  end
+endmodule

@@ -1,0 +1,73 @@
+#include "tb/commands/rtl_arguments.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "tb/commands/reporting.hpp"
+#include "tb/host/input_error.hpp"
+#include "tb/model/rtl_model.hpp"
+
+namespace relievo::tb {
+
+void rtl_arguments::add_to(CLI::App& app) {
+  app.add_option("--stall", settings_.stall, "rtl: percent of clocks in which sinks and memories refuse a word, 0..99")
+      ->group("Circuit")
+      ->capture_default_str();
+  app.add_option("--idle", settings_.idle, "rtl: percent of clocks in which the source rests, 0..99")
+      ->group("Circuit")
+      ->capture_default_str();
+  app.add_option("--latency", latency_, "rtl: N|LO-HI clocks of the memories, 1..10000; default 1")->group("Circuit");
+  app.add_flag("--bursty", settings_.bursty, "rtl: the memories answer in bursts")->group("Circuit");
+  app.add_option("--seed", settings_.seed, "rtl: of stalls, latencies and what registers hold before reset")
+      ->group("Circuit")
+      ->capture_default_str();
+  app.add_option("--watchdog", settings_.watchdog, "rtl: clocks without a moving word that end the run")
+      ->group("Circuit")
+      ->capture_default_str();
+}
+
+void rtl_arguments::apply() const {
+  cosim_settings s = settings_;
+  const auto percent = [](char const* option, int value) {
+    if (value < 0 || value > 99) throw input_error(std::string(option) + ": " + std::to_string(value) + " is not within 0..99 percent");
+  };
+  percent("--stall", s.stall);
+  percent("--idle", s.idle);
+  if (latency_) {
+    int low = 0, high = 0, end = 0;
+    const int fields = std::sscanf(latency_->c_str(), "%5d%n-%5d%n", &low, &end, &high, &end);
+    if (fields < 2) high = low;
+    if (fields < 1 || latency_->size() != static_cast<std::size_t>(end) || low < 1 || high < low || high > 10000)
+      throw input_error("--latency: '" + *latency_ + "' is not a number of clocks or LO-HI within 1..10000");
+    s.latency_low = low;
+    s.latency_high = high;
+  }
+  s.reset_seed = static_cast<int>(s.seed & 0x7fffffff) + 1;
+  set_cosim_settings(s);
+}
+
+void print_cosim(std::uint64_t edge_tests, std::uint64_t triangles) {
+  cosim_result const& r = last_cosim_result();
+  const auto per = [&](std::uint64_t n) { return n == 0 ? 0.0 : static_cast<double>(r.clocks) / static_cast<double>(n); };
+  char text[120];
+  std::snprintf(text, sizeof text, "%s, %.3f an edge test, %.3f a triangle", grouped(r.clocks).c_str(), per(edge_tests), per(triangles));
+  print_row("clocks", text);
+  for (link_report const& l : r.links)
+    if (l.waited != 0) print_row("  waited", l.name + ": " + grouped(l.waited) + " clocks");
+}
+
+nlohmann::json cosim_to_json(std::uint64_t edge_tests) {
+  cosim_result const& r = last_cosim_result();
+  std::uint64_t stalls = 0;
+  nlohmann::json links;
+  for (link_report const& l : r.links) {
+    stalls += l.waited;
+    links[l.name] = {{"moved", l.moved}, {"waited", l.waited}, {"idle", l.idle}};
+  }
+  return {{"cycles", r.clocks},
+          {"cycles_per_edge_test", edge_tests == 0 ? 0.0 : static_cast<double>(r.clocks) / static_cast<double>(edge_tests)},
+          {"stall_cycles", stalls},
+          {"links", links}};
+}
+
+}  // namespace relievo::tb

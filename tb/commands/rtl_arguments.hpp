@@ -1,0 +1,29 @@
+// rtl_arguments: how the bench of the circuit runs: --stall, --idle, --latency, --bursty, --seed, --watchdog; for commands with --model
+// rtl.
+#pragma once
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "tb/cosim/engine_bench.hpp"
+
+namespace relievo::tb {
+
+class rtl_arguments {
+ public:
+  void add_to(CLI::App& app);
+  // Hands the options to the bench; input_error names what is wrong.
+  void apply() const;
+
+ private:
+  cosim_settings settings_;
+  std::optional<std::string> latency_;
+};
+
+// Clocks of the last run of the circuit, an edge test and an output triangle, and where its links waited: rows on stdout, and the report's
+// part.
+void print_cosim(std::uint64_t edge_tests, std::uint64_t triangles);
+nlohmann::json cosim_to_json(std::uint64_t edge_tests);
+
+}  // namespace relievo::tb

@@ -1,0 +1,60 @@
+// engine_bench: the circuit of the edge engine among SystemC modules: a source of base triangles, a sink, memories behind its read ports,
+// a checker on every link, and a watchdog.
+//
+//   engine_bench* bench = the_engine_bench(settings)   one a process (SystemC elaborates once); settings of the first call hold
+//   bench->run(words)                                  one mesh; again and again, with or without a reset between them
+//   Errors: cosim_error when a rule of a link is broken, a memory is asked for what it does not hold, the queue overflows, or nothing
+//   moves for settings.watchdog clocks; its text names the link.
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "hls/core/packed.hpp"
+#include "hls/edge/engine.hpp"
+#include "hls/top/top.hpp"
+
+namespace relievo::tb {
+
+struct cosim_settings {
+  std::string variant = "default";  // one of engine_variants()
+  int idle = 0, stall = 0;          // percent of clocks in which sources rest, sinks and memories refuse
+  int latency_low = 1, latency_high = 1;
+  bool bursty = false;
+  std::uint64_t seed = 1;
+  int reset_seed = 1;              // what registers hold before reset
+  std::uint64_t watchdog = 20000;  // clocks without a moving word
+};
+
+// What one mesh needs; all of it outlives the run.
+struct cosim_scene {
+  hls::engine_regs regs;
+  std::vector<hls::port_word<hls::top::base_triangle>> const* triangles;
+  hls::engine_memories memories;
+};
+
+struct link_report {
+  std::string name;
+  std::uint64_t moved, waited, idle;
+};
+
+struct cosim_result {
+  std::vector<std::uint64_t> counters;  // in the order of hls/edge/counters.hpp
+  std::uint64_t clocks = 0;             // from start to the last word out
+  std::vector<link_report> links;
+};
+
+class engine_bench {
+ public:
+  virtual ~engine_bench() = default;
+  // out: every record that leaves, the empty one too. abort_after: so many clocks after the start a reset ends the run (0: never), and
+  // what came out until then is all there is.
+  virtual cosim_result run(cosim_scene const& scene, std::function<void(hls::triangle_out const&)> const& out, bool reset = true,
+                           std::uint64_t abort_after = 0) = 0;
+};
+
+engine_bench& the_engine_bench(cosim_settings const& settings);
+std::vector<std::string> engine_variants();
+
+}  // namespace relievo::tb

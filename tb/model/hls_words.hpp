@@ -1,0 +1,31 @@
+// hls_words: a scene in the words of the kernels and circuits: registers, base triangles and the memories behind them. The maps are built
+// by the streaming builders of hls/surface.
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "golden/edge/counters.hpp"
+#include "hls/edge/engine.hpp"
+#include "tb/host/scene.hpp"
+
+namespace relievo::tb {
+
+// The scene must outlive it. std::logic_error when the scene holds something that is no word of its format.
+class hls_words {
+ public:
+  explicit hls_words(scene const& sc);
+  hls::engine_regs const& regs() const { return regs_; }
+  std::vector<hls::triangle> const& triangles() const { return triangles_; }
+  hls::engine_memories memories() const { return {{texels_}, {table_.empty() ? nullptr : table_.data()}, {normals_.data()}}; }
+  // The counters of a run in the order of hls/edge/counters.hpp, with what the builders clipped among the saturations.
+  golden::counters counters(std::vector<std::uint64_t> const& values) const;
+
+ private:
+  std::uint16_t const* texels_;
+  std::vector<std::uint64_t> table_, normals_;
+  std::uint64_t map_saturations_ = 0;
+  hls::engine_regs regs_;
+  std::vector<hls::triangle> triangles_;
+};
+
+}  // namespace relievo::tb

@@ -1,0 +1,58 @@
+#include "tb/model/rtl_model.hpp"
+
+#include "tb/model/hls_words.hpp"
+#include "tb/model/words.hpp"
+
+namespace relievo::tb {
+
+namespace {
+
+cosim_settings& settings() {
+  static cosim_settings s;
+  return s;
+}
+cosim_result& last_result() {
+  static cosim_result r;
+  return r;
+}
+
+class rtl_model : public model {
+ public:
+  explicit rtl_model(scene const& sc) : words_(sc) {
+    for (hls::triangle const& t : words_.triangles()) {
+      hls::top::base_triangle base;
+      for (int i = 0; i < 3; ++i) {
+        hls::detail::copy(base.v[i].p, t.v[i].p);
+        hls::detail::copy(base.v[i].n, t.v[i].n);
+        hls::detail::copy(base.v[i].t, t.v[i].t);
+        hls::detail::copy(base.v[i].u, t.v[i].u);
+      }
+      base.index = t.index;
+      base.last = t.last;
+      base_.push_back(hls::pack(base));
+    }
+  }
+
+  golden::counters run(run_hooks const& hooks) override {
+    const cosim_scene circuit = {words_.regs(), &base_, words_.memories()};
+    golden::triangle_out converted;
+    last_result() = the_engine_bench(settings()).run(circuit, [&](hls::triangle_out const& t) {
+      if (!hooks.out) return;
+      to_golden(t, converted);
+      hooks.out(converted);
+    });
+    return words_.counters(last_result().counters);
+  }
+
+ private:
+  hls_words words_;
+  std::vector<hls::port_word<hls::top::base_triangle>> base_;
+};
+
+}  // namespace
+
+std::unique_ptr<model> make_rtl_model(scene const& sc) { return std::make_unique<rtl_model>(sc); }
+void set_cosim_settings(cosim_settings const& s) { settings() = s; }
+cosim_result const& last_cosim_result() { return last_result(); }
+
+}  // namespace relievo::tb
