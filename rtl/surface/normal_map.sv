@@ -169,6 +169,7 @@ module normal_map
       RowZero: above = from_one;
       default: above = s1_q.texel;
     endcase
+    // Row y-1 comes out; a single row comes out as the last, with y = 1 too.
     single = map_i.height == 14'd1;
     row_is_first = s1_q.row_is_1;
     row_is_last = s1_q.phase == LastRow && !map_i.wrap_v;
@@ -183,7 +184,7 @@ module normal_map
       s2_west_q <= west;
       s2_here_q <= here;
       s2_east_q <= east;
-      s2_south_q <= row_is_first || single ? here : below;
+      s2_south_q <= row_is_first ? here : below;
       s2_north_q <= row_is_last || single ? here : above;
       if (s1_q.phase == Reading) begin
         reading_first_q <= whole_ends.first;
