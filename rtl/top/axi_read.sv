@@ -12,10 +12,10 @@
 //                           than OKAY. The word is what the bus gave.
 //   m_axi                   bursts of one beat of WordBytes, all with the same ID: answered in order
 //
-//   interval   a clock for each word with read set, at least one a request
-//   latency    from the request to arvalid 9 clocks, from the last beat to rsp_valid_o 1
-//   registered: all outputs, but for a gate at arvalid and rready; no path from a ready input to a
-//   ready output.
+//   latency 10 and the memory's: 9 clocks from the request to arvalid, 1 from the last beat to
+//   rsp_valid_o; initiation interval: a clock for each word with read set, at least one a request.
+//   Registered: all outputs, but for a gate at arvalid and rready; no path from a ready input to a
+//   ready output. A reset is one for the bus too: beats of before are not expected after it.
 //
 //   req --> [pick] --> [s0 y width] --> [s1 + x] --> [s2 base +] --> FIFO --+--> ar
 //                                                                           |

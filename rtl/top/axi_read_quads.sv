@@ -1,7 +1,8 @@
 // axi_read_quads: serves a port that asks for 2 x 2 words (memory_pkg.sv) from memory behind an AXI4
 // bus: texels of two bytes, normals of eight.
-//   rsp_o[row][column]; the rest, and all parameters, as axi_read.sv, which does it: four words a
-//   request, so an interval of four clocks
+//   rsp_o[row][column]; the rest, and all parameters, as axi_read.sv, which does it
+//
+//   latency 10 and the memory's, initiation interval 4: four words a request
 module axi_read_quads
   import formats_pkg::*;
   import memory_pkg::*;
