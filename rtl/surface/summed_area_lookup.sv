@@ -8,7 +8,7 @@
 //   table one beat: ReadsPerClock words of each rectangle, its corners in the order (high, high), (low, high), (high, low), (low, low)
 //
 //   latency 47 + that of the memory, from the last beat on; initiation interval 4/ReadsPerClock beats a pass. Passes: 1; 2 for a rectangle
-//   that crosses a border of an axis that wraps, 4 for both; rectangles side by side make those that any of them needs.
+//   that crosses a border of an axis that wraps, 4 for both; rectangles side by side count as one that crosses all they cross.
 //   Registered: requests, answers and every stage; no path from a ready input to in_ready_o or to a valid output.
 //
 //   in --[summed_area_axis x 2, areas]--[FIFO]--[pass, beat]--req--> memory
