@@ -3,9 +3,11 @@
 // verilate: Vprofile_test_1 SamplesPerClock=1
 // verilate: Vprofile_test_4 SamplesPerClock=4
 // verilate: Vprofile_test_16 SamplesPerClock=16
+// verilate: Vprofile_test_few SamplesPerClock=4 InFlight=8
 #include "Vprofile_test_1.h"
 #include "Vprofile_test_16.h"
 #include "Vprofile_test_4.h"
+#include "Vprofile_test_few.h"
 #include "hls/edge/profile_test.hpp"
 #include "tests/support/map_cases.hpp"
 #include "tests/support/map_memories.hpp"
@@ -45,7 +47,7 @@ class unit {
     for_maps([&](test_map const& map, hls::map_regs const& regs) {
       for (traffic const& t : list)
         clocks_of(
-            t, map, [&](vector& v, generator& g) { edge_within(v, regs, g); }, rtl_vector_count() / (2 * map_case_count * list.size()) + 1);
+            t, map, [&](vector& v, generator& g) { edge_within(v, regs, g); }, rtl_vector_count() / (4 * map_case_count * list.size()) + 1);
     });
   }
 
@@ -74,7 +76,8 @@ class unit {
     const test_map map(100, 61, fill::random, g);
     const std::uint64_t count = 3000;
     for (const std::int64_t latency : {1, 60}) {
-      std::uint64_t drawn = 0, groups = 0;
+      std::uint64_t drawn = 0, groups = 0, samples = 0;
+      quads_asked = 0;
       const auto shape = [&](vector& v, generator& words) {
         edge_within(v, map.regs(true, false), words);
         // The first shape is that of the registers. The last edge reads, so that it does not catch up with those before it.
@@ -82,12 +85,15 @@ class unit {
           v.in.u1[0] = hls::from_raw<formats::coordinate>(0);
           v.in.u2[0] = hls::from_raw<formats::coordinate>(20 * 2048);
         }
-        if (drawn > 1) groups += std::max<std::uint64_t>((samples_of(v) + S - 1) / S, 1);
+        if (drawn == 1) return;
+        samples += samples_of(v);
+        groups += std::max<std::uint64_t>((samples_of(v) + S - 1) / S, 1);
       };
       const std::uint64_t clocks = clocks_of({0, 0, latency, latency}, map, shape, count);
       std::uint64_t tree = 0;
       while ((1 << tree) < S) ++tree;
       EXPECT_EQ(drawn, count + 1);
+      EXPECT_EQ(quads_asked, samples);
       EXPECT_EQ(clocks, groups + 38 + tree + static_cast<std::uint64_t>(latency)) << "memory latency " << latency;
     }
   }
@@ -95,6 +101,7 @@ class unit {
  private:
   using request = group<quad_request, S>;
   using answer = group<texel_quad, S>;
+  inline static std::uint64_t quads_asked = 0;
 
   // A group is answered together; what is not wanted may lie outside the map and is answered with any word.
   static memory_port<Model> port(test_map const& map) {
@@ -104,7 +111,11 @@ class unit {
             [answers](Model const& m) -> std::function<void(Model&)> {
               const auto asked = tb::get<request>(m.quad_req_o);
               answer together{};
-              for (int i = 0; i < S; ++i) together.at[i] = (m.quad_req_mask_o >> i) % 2 != 0 ? answers(asked.at[i]) : any_answer();
+              for (int i = 0; i < S; ++i) {
+                const bool wanted = (m.quad_req_mask_o >> i) % 2 != 0;
+                together.at[i] = wanted ? answers(asked.at[i]) : any_answer();
+                quads_asked += wanted ? 1 : 0;
+              }
               return [together](Model& to) { tb::put(to.quad_rsp_i, together); };
             },
             [](Model& m, bool valid) { m.quad_rsp_valid_i = valid; },
@@ -125,10 +136,14 @@ class unit {
 using one = unit<Vprofile_test_1, 1>;
 using four = unit<Vprofile_test_4, 4>;
 using sixteen = unit<Vprofile_test_16, 16>;
+using few = unit<Vprofile_test_few, 4>;
 
 TEST(profile_test, rtl_equals_hls_a_sample_a_clock) { one::on_all_maps(); }
 TEST(profile_test, rtl_equals_hls_four_samples_a_clock) { four::on_all_maps(); }
 TEST(profile_test, rtl_equals_hls_sixteen_samples_a_clock) { sixteen::on_all_maps(); }
+
+// Places run out all the time.
+TEST(profile_test, rtl_equals_hls_with_few_places) { few::on_all_maps(); }
 
 TEST(profile_test, ties_and_thresholds_met_exactly) {
   one::ties();
