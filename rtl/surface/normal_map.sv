@@ -87,7 +87,7 @@ module normal_map
           phase_q <= next_phase;
           y_q <= last_step ? '0 : y_q + 14'd1;
           row_is_0_q <= last_step;
-          row_is_1_q <= row_is_0_q && !last_step;
+          row_is_1_q <= row_is_0_q;
         end
       end
     end
