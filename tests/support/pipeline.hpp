@@ -16,6 +16,7 @@
 #include <deque>
 #include <optional>
 
+#include "tb/cosim/coverage.hpp"
 #include "tb/cosim/ports.hpp"
 #include "tests/support/vectors.hpp"
 
@@ -109,6 +110,7 @@ void pipeline_test(int latency, Shape shape, Expected expected, Same same = {}, 
   context.randReset(2);
   context.randSeed(static_cast<int>(seed() & 0x7fffffff) + 1);
   Model model(&context);
+  const tb::keep_coverage kept(context);
   model.clk_i = 0;
   model.eval();
   // What the pipeline holds, the newest at the back; nothing is expected of a bubble.

@@ -73,6 +73,7 @@ std::uint64_t stream_test(traffic const& t, Shape shape, Expected expected, std:
   context.randReset(2);
   context.randSeed(static_cast<int>(seed() & 0x7fffffff) + 1);
   Model model(&context);
+  const tb::keep_coverage kept(context);
   generator g = next_generator();
   std::vector<std::deque<answer>> answers(ports.size());
   std::deque<std::pair<V, Out>> waiting;
