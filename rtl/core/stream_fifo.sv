@@ -25,7 +25,8 @@ module stream_fifo #(
 );
   localparam int unsigned PlaceBits = Depth > 1 ? $clog2(Depth) : 1;
 
-  T memory_q [Depth];
+  // Read and write never meet at a place: nothing is read from an empty memory nor written to a full one. No bypass is wanted.
+  (* no_rw_check *) T memory_q [Depth];
   T read_q;
   logic read_valid_q;
 
