@@ -7,6 +7,7 @@
 #include <array>
 #include <memory>
 
+#include "tb/cosim/coverage.hpp"
 #include "tb/cosim/engine_bench.hpp"
 #include "tb/cosim/link.hpp"
 #include "tb/cosim/map_words.hpp"
@@ -61,6 +62,7 @@ class engine_device : public sc_core::sc_module {
     model_->clk_i = 0;
     model_->rst_ni = 0;
     model_->start_i = 0;
+    model_->end_i = 0;
     model_->eval();
     SC_METHOD(edge);
     sensitive << wires.clock.posedge_event();
@@ -173,6 +175,7 @@ class engine_device : public sc_core::sc_module {
 
   VerilatedContext context_;
   std::unique_ptr<Model> model_;
+  const keep_coverage kept_{context_};
   links& links_;
   bench_wires& wires_;
   bool was_running_ = false;

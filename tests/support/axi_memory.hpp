@@ -13,6 +13,7 @@
 #include <deque>
 #include <vector>
 
+#include "tb/cosim/coverage.hpp"
 #include "tb/cosim/map_words.hpp"
 #include "tb/cosim/ports.hpp"
 #include "tests/support/vectors.hpp"
@@ -78,6 +79,7 @@ std::uint64_t axi_run(axi_settings const& s, std::vector<Request> const& request
   context.randReset(2);
   context.randSeed(static_cast<int>(seed() & 0x7fffffff) + 1);
   Model model(&context);
+  const tb::keep_coverage kept(context);
   generator g = next_generator();
   std::deque<beat> beats;
   std::deque<answer> answers;

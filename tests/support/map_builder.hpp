@@ -128,6 +128,7 @@ class builder_bench {
   Model model;
 
  private:
+  const tb::keep_coverage kept_{*context_};
   traffic traffic_;
   generator g_;
 };
