@@ -1,9 +1,11 @@
 // verilate: Vsummed_area_lookup_1 ReadsPerClock=1
 // verilate: Vsummed_area_lookup_4 ReadsPerClock=4
+// verilate: Vsummed_area_lookup_few ReadsPerClock=4 InFlight=8
 // summed_area_lookup: the circuit equals the kernel with one and with four words a clock, on every kind of map under all traffic, several
 // turns beyond its borders, with tables of any words; four words a pass and no beat more, 47 clocks and the memory's later.
 #include "Vsummed_area_lookup_1.h"
 #include "Vsummed_area_lookup_4.h"
+#include "Vsummed_area_lookup_few.h"
 #include "hls/surface/summed_area_lookup.hpp"
 #include "tests/support/map_cases.hpp"
 #include "tests/support/map_memories.hpp"
@@ -21,6 +23,11 @@ struct one_word {
 };
 struct four_words {
   using model = Vsummed_area_lookup_4;
+  static constexpr int reads = 4;
+};
+// Places for 8 beats and 12 results only.
+struct few_places {
+  using model = Vsummed_area_lookup_few;
   static constexpr int reads = 4;
 };
 template <class T>
@@ -80,6 +87,18 @@ TYPED_TEST(summed_area_lookup, rtl_equals_hls) {
           t, regs, map.table(), table_answers(map), [&](input& in, generator& g) { place_both(in, regs, g); },
           rtl_vector_count() / (map_case_count * list.size()) + 1);
   });
+}
+
+// Slower then, but nothing is asked for or answered that has no place. A result a word, as where nothing wraps, fills the places most.
+TEST(summed_area_lookup, rtl_equals_hls_where_places_are_few) {
+  generator g("few");
+  const test_map map(13, 37, fill::random, g);
+  for (int mode = 0; mode < 4; ++mode) {
+    const hls::map_regs regs = map.regs(mode % 2 != 0, mode / 2 != 0);
+    const auto any = [&](input& in, generator& to) { place_both(in, regs, to); };
+    for (traffic const& t : all_traffic())
+      clocks_of<few_places>(t, regs, map.table(), table_answers(map), any, rtl_vector_count() / (mode == 0 ? 20 : 200) + 1);
+  }
 }
 
 // The longest axes, and the largest area of which all is on the map.
