@@ -64,16 +64,20 @@ module normalize
     end
     return root;
   endfunction
-  entry_t root_table[512];
-  initial begin
-    for (int i = 0; i < 512; i++) root_table[i] = '0;
+  typedef entry_t root_table_t[512];
+  function automatic root_table_t make_root_table();
+    root_table_t t;
+    for (int i = 0; i < 512; i++) t[i] = '0;
     for (longint i = 128; i < 512; i++) begin
-      root_table[int'(i)].base = 22'(integer_root((64'd1 << 51) / i)
-                                     - 3 * integer_root((64'd1 << 51) / i) / (32 * i * i) - 3);
-      root_table[int'(i)].slope = 14'(integer_root((64'd1 << 51) / i)
-                                      - integer_root((64'd1 << 51) / (i + 1)));
+      logic [63:0] root, next;
+      root = integer_root((64'd1 << 51) / i);
+      next = integer_root((64'd1 << 51) / (i + 1));
+      t[int'(i)].base = 22'(root - 3 * root / (32 * i * i) - 3);
+      t[int'(i)].slope = 14'(root - next);
     end
-  end
+    return t;
+  endfunction
+  entry_t root_table[512] = make_root_table();
   entry_t             entry_q;
   logic        [16:0] place_q;
   logic signed [32:0] descent;

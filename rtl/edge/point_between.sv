@@ -17,29 +17,29 @@ module point_between #(
   input  logic [4:0]            k_i,
   output logic [Width+3-Drop:0] y_o
 );
-  localparam int unsigned Sum = Width + 5;
+  localparam int unsigned Sum = Width + 4;  // 16 times what lies between fits, so the parts may be modulo 2^Sum
 
   logic signed [Width:0]   difference_q;
   logic        [4:0]       k_q;
   logic signed [Width+2:0] low_q;   // b - a times 0..3
-  logic signed [Width+2:0] high_q;  // b - a times 0..4, of the weight's quarters
-  logic signed [Sum-1:0]   parts_q;
+  logic signed [Width+1:0] high_q;  // b - a times 0..4, the weight's quarters
+  logic        [Sum-1:0]   parts_q;
   logic        [Width-1:0] a;
   always_ff @(posedge clk_i) begin
     difference_q <= signed'({Signed & b_i[Width-1], b_i}) - signed'({Signed & a_i[Width-1], a_i});
     k_q <= k_i;
     low_q <= (k_q[0] ? (Width + 3)'(difference_q) : '0)
            + (k_q[1] ? (Width + 3)'(difference_q) <<< 1 : '0);
-    high_q <= (k_q[2] ? (Width + 3)'(difference_q) : '0)
-            + (k_q[3] ? (Width + 3)'(difference_q) <<< 1 : '0)
-            + (k_q[4] ? (Width + 3)'(difference_q) <<< 2 : '0);
-    parts_q <= Sum'(low_q) + (Sum'(high_q) <<< 2);
+    high_q <= (k_q[2] ? (Width + 2)'(difference_q) : '0)
+            + (k_q[3] ? (Width + 2)'(difference_q) <<< 1 : '0)
+            + (k_q[4] ? (Width + 2)'(difference_q) <<< 2 : '0);
+    parts_q <= Sum'(low_q) + {high_q, 2'b0};
   end
   delay #(.T(logic [Width-1:0]), .Stages(3)) i_a (.clk_i, .x_i(a_i), .y_o(a));
 
-  logic [Width+3:0] sum;
-  assign sum = {a, 4'(1 << (Drop - 1))} + parts_q[Width+3:0];
-  always_ff @(posedge clk_i) y_o <= sum[Width+3:Drop];
+  logic [Sum-1:0] sum;
+  assign sum = {a, 4'(1 << (Drop - 1))} + parts_q;
+  always_ff @(posedge clk_i) y_o <= sum[Sum-1:Drop];
   logic unused_sum;
-  assign unused_sum = ^{parts_q[Sum-1], sum[Drop-1:0]};
+  assign unused_sum = ^sum[Drop-1:0];
 endmodule

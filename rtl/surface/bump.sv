@@ -43,7 +43,7 @@ module bump
     logic signed [31:0] along_n, along_t, along_b;
     logic signed [32:0] plane_q;
     logic        [32:0] plane;
-    logic signed [33:0] s1_sum_q;
+    logic signed [32:0] s1_sum_q;
     multiply #(.A(16), .B(16)) i_along_n (
       .clk_i, .a_i(in_i.n[i]), .b_i(in_i.m[2]), .y_o(along_n)
     );
@@ -55,8 +55,8 @@ module bump
     multiply #(.A(16), .B(16)) i_along_b (
       .clk_i, .a_i(s0_bitangent), .b_i(m_y), .y_o(along_b)
     );
-    always_ff @(posedge clk_i) s1_sum_q <= 34'(signed'(plane)) + 34'(along_b);
-    round_to #(.In(34), .Shift(14), .Out(18)) i_direction (
+    always_ff @(posedge clk_i) s1_sum_q <= 33'(signed'(plane)) + 33'(along_b);
+    round_to #(.In(33), .Shift(14), .Out(18)) i_direction (
       .clk_i, .x_i(s1_sum_q), .y_o(s1_direction.v[i]), .clipped_o(s1_clipped[i])
     );
   end

@@ -24,21 +24,21 @@ module transform_normal
   logic  [2:0] unused_clipped;
   for (genvar r = 0; r < 3; r++) begin : gen_row
     logic signed [31:0] product[3];
-    logic signed [33:0] sum_q;
+    logic signed [32:0] sum_q;
     for (genvar i = 0; i < 3; i++) begin : gen_axis
       multiply #(.A(16), .B(16)) i_product (
         .clk_i, .a_i(regs_i.rotation[r][i]), .b_i(n_q[i]), .y_o(product[i])
       );
     end
-    always_ff @(posedge clk_i) sum_q <= 34'(product[0]) + 34'(product[1]) + 34'(product[2]);
-    round_to #(.In(34), .Shift(14), .Out(16)) i_n (
+    always_ff @(posedge clk_i) sum_q <= 33'(product[0]) + 33'(product[1]) + 33'(product[2]);
+    round_to #(.In(33), .Shift(14), .Out(16)) i_n (
       .clk_i, .x_i(sum_q), .y_o(n_s[r]), .clipped_o(unused_clipped[r])
     );
   end
 
   // s0: both differences have 20 fractional bits.
   logic signed [44:0] product[3];
-  logic signed [46:0] s0_facing_q;
+  logic signed [45:0] s0_facing_q;
   for (genvar i = 0; i < 3; i++) begin : gen_facing
     logic signed [28:0] difference_q;
     always_ff @(posedge clk_i) begin
@@ -50,7 +50,7 @@ module transform_normal
   end
   logic positive_q, away_q;
   always_ff @(posedge clk_i) begin
-    s0_facing_q <= 47'(product[0]) + 47'(product[1]) + 47'(product[2]);
+    s0_facing_q <= 46'(product[0]) + 46'(product[1]) + 46'(product[2]);
     positive_q <= s0_facing_q > 0;
     away_q <= positive_q;
   end
