@@ -247,6 +247,7 @@ class bench {
   generator g_;
   VerilatedContext context_;
   std::unique_ptr<Model> model_;
+  const tb::keep_coverage kept_{context_};
   std::unique_ptr<hls::triangle_queue<Depth>> sequential_ = std::make_unique<hls::triangle_queue<Depth>>();
   std::vector<int> level_;       // of every triangle ever born
   std::set<std::int64_t> held_;  // pushed and not yet out
@@ -366,6 +367,7 @@ TEST(triangle_queue, one_pop_and_one_push_a_clock) {
 TEST(triangle_queue, a_push_into_an_empty_queue_is_out_three_clocks_later) {
   VerilatedContext context;
   Vqueue_1024 m(&context);
+  const tb::keep_coverage kept(context);
   const auto edge = [&m] {
     m.clk_i = 1;
     m.eval();
