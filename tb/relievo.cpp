@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "tb/commands/commands.hpp"
+#include "tb/cosim/rtl_model.hpp"
 #include "tb/host/input_error.hpp"
 
 namespace {
@@ -35,6 +36,7 @@ int sc_main(int, char**) { return 0; }
 
 int main(int argc, char** argv) {
   using namespace relievo::tb;
+  add_rtl_model();
   CLI::App app("Relievo: displacement mapping in hardware, its models and its checks");
   app.require_subcommand(1);
   app.footer(

@@ -2,6 +2,7 @@
 //   Doggett & Hirche 2000, Figures 7 and 8; contract: hls/edge/engine.hpp, which puts out the same triangles in another order
 //
 //   start_i   begins a mesh; the registers hold until done_o. in_i: base triangles, the last one says so; out_o: triangles, the last says so
+//   end_i     the input is over although no last came: the mesh ends with what was taken
 //   regs_i    engine_regs;  memories: read ports of each lane, see edge_lane
 //   done_o    no mesh is running: all of the last one has left; error_o: the queue overflowed, which its rule makes impossible
 //
@@ -30,6 +31,7 @@ module engine
   input  logic         clk_i,
   input  logic         rst_ni,
   input  logic         start_i,
+  input  logic         end_i,
   output logic         done_o,
   output logic         error_o,
   input  engine_regs_t regs_i,
@@ -346,7 +348,7 @@ module engine
       input_done_q <= 1'b0;
       holding_q <= 1'b0;
     end else begin
-      if (take && in_i.last) input_done_q <= 1'b1;
+      if (end_i || (take && in_i.last)) input_done_q <= 1'b1;
       if (arrives) holding_q <= 1'b1;
       if (finish) running_q <= 1'b0;
     end

@@ -5,7 +5,7 @@
 
 #include "tb/commands/reporting.hpp"
 #include "tb/host/input_error.hpp"
-#include "tb/model/rtl_model.hpp"
+#include "tb/cosim/rtl_model.hpp"
 
 namespace relievo::tb {
 

@@ -8,6 +8,7 @@
 #pragma once
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -54,7 +55,14 @@ class engine_bench {
                            std::uint64_t abort_after = 0) = 0;
 };
 
+using engine_factory = std::function<std::unique_ptr<engine_bench>(cosim_settings const&)>;
+
+// The bench of this process. Its settings are those of the first call.
 engine_bench& the_engine_bench(cosim_settings const& settings);
+
+// Engines with other build parameters: each source file that has one adds it under a name (engine_bench_of.hpp).
+bool add_engine_variant(std::string const& name, engine_factory const& make);
 std::vector<std::string> engine_variants();
+void add_default_engine();
 
 }  // namespace relievo::tb

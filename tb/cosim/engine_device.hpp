@@ -63,6 +63,7 @@ class engine_device : public sc_core::sc_module {
     model_->rst_ni = 0;
     model_->start_i = 0;
     model_->end_i = 0;
+    model_->end_i = 0;
     model_->eval();
     SC_METHOD(edge);
     sensitive << wires.clock.posedge_event();

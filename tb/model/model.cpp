@@ -8,7 +8,6 @@
 #include "hls/edge/engine.hpp"
 #include "tb/host/input_error.hpp"
 #include "tb/model/hls_words.hpp"
-#include "tb/model/rtl_model.hpp"
 #include "tb/model/words.hpp"
 
 namespace relievo::tb {
@@ -89,24 +88,40 @@ class hls_model : public model {
   hls_words words_;
 };
 
+// In the order in which they are named to the user.
+using named_factories = std::vector<std::pair<std::string, model_factory>>;
+named_factories& factories() {
+  static named_factories all = {
+      {"ideal", [](scene const& sc) -> std::unique_ptr<model> { return std::make_unique<golden_model<golden::exact>>(sc); }},
+      {"golden", [](scene const& sc) -> std::unique_ptr<model> { return std::make_unique<golden_model<golden::rounded>>(sc); }},
+      {"hls", [](scene const& sc) -> std::unique_ptr<model> { return std::make_unique<hls_model>(sc); }}};
+  return all;
+}
+
 }  // namespace
 
-std::vector<std::string> const& model_names() {
-  static const std::vector<std::string> names = {"ideal", "golden", "hls", "rtl"};
+void add_model(std::string const& name, model_factory const& make) { factories().emplace_back(name, make); }
+
+std::vector<std::string> model_names() {
+  std::vector<std::string> names;
+  for (auto const& [name, make] : factories()) names.push_back(name);
   return names;
 }
 
 void check_model_name(std::string const& name) {
-  if (std::find(model_names().begin(), model_names().end(), name) == model_names().end())
-    throw input_error("--model: '" + name + "' is no model; known are ideal, golden, hls, rtl");
+  std::string known;
+  for (std::string const& n : model_names()) {
+    if (n == name) return;
+    known += (known.empty() ? "" : ", ") + n;
+  }
+  throw input_error("--model: '" + name + "' is no model; known are " + known);
 }
 
 std::unique_ptr<model> make_model(std::string const& name, scene const& sc) {
   check_model_name(name);
-  if (name == "ideal") return std::make_unique<golden_model<golden::exact>>(sc);
-  if (name == "golden") return std::make_unique<golden_model<golden::rounded>>(sc);
-  if (name == "rtl") return make_rtl_model(sc);
-  return std::make_unique<hls_model>(sc);
+  for (auto const& [known, make] : factories())
+    if (known == name) return make(sc);
+  return nullptr;
 }
 
 run_result run_model(std::string const& name, scene const& sc, run_hooks hooks) {

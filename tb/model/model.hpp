@@ -3,7 +3,7 @@
 //   ideal   golden formulas, no rounding
 //   golden  golden formulas, rounded at the named registers
 //   hls     the synthesizable C++, its maps built by its own streaming builders
-//   rtl     the circuit, Verilated, in its SystemC bench (tb/cosim); its triangles come in an order of their own
+//   rtl     the circuit, Verilated, in its SystemC bench (tb/cosim), in programs that bring it; its triangles come in an order of their own
 //
 // Every model puts out golden::triangle_out, in engine units; golden and hls hold words exactly, so that equal words are equal doubles.
 // barycentric weights and path are filled in by ideal and golden alone.
@@ -35,8 +35,12 @@ class model {
 // A model with the scene's maps built and ready to run, any number of times. The scene must outlive it.
 // input_error for an unknown name; its line lists the known ones.
 std::unique_ptr<model> make_model(std::string const& name, scene const& sc);
-std::vector<std::string> const& model_names();
+std::vector<std::string> model_names();
 void check_model_name(std::string const& name);  // the same input_error, without a scene
+
+// Adds a model: a program that brings the circuit says add_rtl_model() (tb/cosim/rtl_model.hpp).
+using model_factory = std::function<std::unique_ptr<model>(scene const&)>;
+void add_model(std::string const& name, model_factory const& make);
 
 // Room in every model's triangle queue: enough for the paper's FIFO mode on a few thousand base triangles without a fallback.
 constexpr int queue_depth = 8192;

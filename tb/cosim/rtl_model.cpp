@@ -1,4 +1,4 @@
-#include "tb/model/rtl_model.hpp"
+#include "tb/cosim/rtl_model.hpp"
 
 #include "tb/model/hls_words.hpp"
 #include "tb/model/words.hpp"
@@ -51,7 +51,10 @@ class rtl_model : public model {
 
 }  // namespace
 
-std::unique_ptr<model> make_rtl_model(scene const& sc) { return std::make_unique<rtl_model>(sc); }
+void add_rtl_model() {
+  add_default_engine();
+  add_model("rtl", [](scene const& sc) -> std::unique_ptr<model> { return std::make_unique<rtl_model>(sc); });
+}
 void set_cosim_settings(cosim_settings const& s) { settings() = s; }
 cosim_result const& last_cosim_result() { return last_result(); }
 

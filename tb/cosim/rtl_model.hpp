@@ -7,7 +7,8 @@
 
 namespace relievo::tb {
 
-std::unique_ptr<model> make_rtl_model(scene const& sc);
+// Makes "rtl" one of the models of this program.
+void add_rtl_model();
 // How the bench runs; to be called before the first run of the process, later calls change nothing.
 void set_cosim_settings(cosim_settings const& settings);
 // Clocks and links of the last run.

@@ -1,0 +1,202 @@
+// engine_bench_of: the bench around one Verilated engine; included by one source file a variant, because of what it costs to compile.
+#pragma once
+#include <algorithm>
+#include <stdexcept>
+
+#include "tb/cosim/engine_device.hpp"
+#include "tb/cosim/stream_ends.hpp"
+
+namespace relievo::tb {
+
+namespace detail {
+
+// Where a word lies in a map, or a failure when the circuit asks for what the map does not have.
+struct map_place {
+  hls::map_regs const* map = nullptr;
+  bench_wires* wires = nullptr;
+
+  std::size_t operator()(char const* memory, hls::fixed<formats::map_size> x, hls::fixed<formats::map_size> y) const {
+    if (raw(x) >= raw(map->width) || raw(y) >= raw(map->height)) {
+      wires->fail(std::string(memory) + ": word (" + std::to_string(raw(x)) + ", " + std::to_string(raw(y)) +
+                  ") was asked for, of a map of " + std::to_string(raw(map->width)) + " x " + std::to_string(raw(map->height)));
+      return 0;
+    }
+    return static_cast<std::size_t>(raw(y) * raw(map->width) + raw(x));
+  }
+};
+
+template <class Model, int Lanes, int Reads, int Samples>
+class bench final : public engine_bench {
+  using links_type = engine_links<Lanes, Reads, Samples>;
+  using base_word = typename links_type::base_word;
+  using out_word = typename links_type::out_word;
+  using table_memory = memory<typename links_type::table_requests, typename links_type::table_answers>;
+  using quad_memory = memory<typename links_type::quad_requests, typename links_type::quad_answers>;
+  using place_memory = memory<quad_request, texel_quad>;
+  using normal_memory = memory<quad_request, normal_quad>;
+
+ public:
+  explicit bench(cosim_settings const& settings)
+      : settings_(settings),
+        device_("engine", links_, wires_, settings),
+        source_("source", links_.in, wires_, pacer(settings.idle, settings.seed)),
+        sink_("sink", links_.out, wires_, pacer(settings.stall, settings.seed + 1)) {
+    place_.map = &device_.regs.map;
+    place_.wires = &wires_;
+    check("check_in", links_.in, true);
+    check("check_out", links_.out, true);
+    for (int i = 0; i < Lanes; ++i) add_lane(i);
+    sink_.take = [this](out_word const& word) {
+      const hls::triangle_out t = hls::unpack<hls::triangle_out>(word);
+      if (last_seen_) wires_.fail("output triangles: a record follows the last");
+      last_seen_ = t.last;
+      if (t.last) last_clock_ = wires_.clocks;
+      if (take_) take_(t);
+    };
+  }
+
+  cosim_result run(cosim_scene const& scene, std::function<void(hls::triangle_out const&)> const& out, bool reset,
+                   std::uint64_t abort_after) override {
+    scene_ = &scene;
+    take_ = out;
+    last_seen_ = false;
+    if (reset) {
+      wires_.running.write(false);
+      advance(8);
+      wires_.running.write(true);
+      advance(1);
+    }
+    device_.regs = scene.regs;
+    source_.load(scene.triangles);
+    for (link_observer* o : observers_) o->forget();
+    device_.start = true;
+    advance(1);
+    device_.start = false;
+    const std::uint64_t begun = wires_.clocks;
+    while (!(last_seen_ && device_.done())) {
+      if (abort_after != 0 && wires_.clocks - begun >= abort_after) break;
+      advance(abort_after != 0 ? 1 : 16);
+      watch(begun);
+    }
+    cosim_result result;
+    result.counters = device_.counters();
+    result.clocks = last_clock_ - begun;
+    for (link_observer const* o : observers_) {
+      link_counts const& c = o->counts();
+      result.links.push_back({c.name, c.moved, c.waited, c.idle});
+    }
+    if (abort_after == 0) {
+      // Nothing may stay behind.
+      advance(64);
+      if (source_.sent() != scene.triangles->size()) wires_.fail("base triangles: some were not taken");
+      for (auto const& empty : memories_empty_)
+        if (!empty()) wires_.fail("an answer of a memory was not waited for");
+      if (device_.error()) wires_.fail("the triangle queue overflowed");
+      throw_failure();
+    }
+    return result;
+  }
+
+ private:
+  void advance(int clocks) {
+    sc_core::sc_start(clocks, sc_core::SC_NS);
+    throw_failure();
+  }
+  void throw_failure() {
+    if (wires_.failure.empty()) return;
+    const std::string what = wires_.failure;
+    wires_.failure.clear();
+    throw cosim_error(what);
+  }
+  void watch(std::uint64_t begun) {
+    std::uint64_t quiet = wires_.clocks - begun;
+    for (link_observer const* o : observers_) quiet = std::min(quiet, o->counts().quiet);
+    if (quiet < settings_.watchdog) return;
+    std::string text = "nothing moved for " + std::to_string(quiet) + " clocks;";
+    for (link_observer const* o : observers_) {
+      link_counts const& c = o->counts();
+      text += " " + c.name + (c.waiting ? ": a word waits" : ": idle") + " after " + std::to_string(c.moved) + ";";
+    }
+    throw cosim_error(text);
+  }
+
+  template <class Word>
+  void check(char const* name, link<Word>& l, bool has_ready) {
+    auto checker = std::make_shared<link_checker<Word>>(sc_core::sc_gen_unique_name(name), l, wires_, has_ready);
+    observers_.push_back(checker.get());
+    modules_.push_back(checker);
+  }
+  template <class Memory, class Port, class LookUp>
+  void add_memory(char const* name, Port& port, int lane, LookUp const& look_up) {
+    const std::uint64_t seed = settings_.seed + 10 + static_cast<std::uint64_t>(modules_.size());
+    auto m = std::make_shared<Memory>(sc_core::sc_gen_unique_name(name), port.requests, port.answers, wires_,
+                                      memory_latency{settings_.latency_low, settings_.latency_high, settings_.bursty},
+                                      pacer(settings_.stall, seed), seed * 977 + static_cast<std::uint64_t>(lane));
+    m->look_up = look_up;
+    memories_empty_.push_back([m] { return m->empty(); });
+    modules_.push_back(m);
+    check("check_requests", port.requests, true);
+    check("check_answers", port.answers, false);
+  }
+  void add_lane(int i) {
+    auto& lane = *links_.lanes[static_cast<std::size_t>(i)];
+    const auto texels = [this](quad_request const& r) {
+      texel_quad q{};
+      for (int row = 0; row < 2; ++row)
+        for (int column = 0; column < 2; ++column)
+          q.q[row][column] =
+              hls::from_raw<formats::texel>(scene_->memories.displacement.words[place_("displacement", r.x[column], r.y[row])]);
+      return q;
+    };
+    add_memory<table_memory>("table", lane.table, i, [this](typename links_type::table_requests const& r) {
+      typename links_type::table_answers a{};
+      for (int n = 0; n < Reads; ++n)
+        if (r.at[n].read)
+          a.at[n].word = hls::from_raw<formats::table_sum>(
+              static_cast<std::int64_t>(scene_->memories.table.words[place_("summed-area table", r.at[n].x, r.at[n].y)]));
+      return a;
+    });
+    add_memory<quad_memory>("quad", lane.quad, i, [texels](typename links_type::quad_requests const& r) {
+      typename links_type::quad_answers a{};
+      for (int n = 0; n < Samples; ++n)
+        if (r.wanted[n]) a.at[n] = texels(r.quads.at[n]);
+      return a;
+    });
+    add_memory<place_memory>("place", lane.place, i, texels);
+    add_memory<normal_memory>("normal", lane.normal, i, [this](quad_request const& r) {
+      normal_quad q{};
+      for (int row = 0; row < 2; ++row)
+        for (int column = 0; column < 2; ++column) {
+          const std::uint64_t word = scene_->memories.normals.words[place_("normal map", r.x[column], r.y[row])];
+          for (int k = 0; k < 3; ++k) q.q[row][column][k] = hls::unpack_normal(word, k);
+        }
+      return q;
+    });
+  }
+
+  cosim_settings settings_;
+  bench_wires wires_;
+  links_type links_;
+  engine_device<Model, Lanes, Reads, Samples> device_;
+  source<base_word> source_;
+  sink<out_word> sink_;
+  std::vector<std::shared_ptr<sc_core::sc_module>> modules_;
+  std::vector<link_observer*> observers_;
+  std::vector<std::function<bool()>> memories_empty_;
+  map_place place_;
+  cosim_scene const* scene_ = nullptr;
+  std::function<void(hls::triangle_out const&)> take_;
+  bool last_seen_ = false;
+  std::uint64_t last_clock_ = 0;
+};
+
+}  // namespace detail
+
+template <class Model, int Lanes, int Reads, int Samples>
+engine_factory engine_of() {
+  return [](cosim_settings const& settings) -> std::unique_ptr<engine_bench> {
+    return std::make_unique<detail::bench<Model, Lanes, Reads, Samples>>(settings);
+  };
+}
+
+}  // namespace relievo::tb
