@@ -6,5 +6,6 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 (($#)) || { sed -n '2,4s/^# //p' "${BASH_SOURCE[0]}" >&2; exit 2; }
 scripts/venv.sh fpga
+scripts/registers.sh
 export YOWASP_CACHE_DIR=$PWD/.venv/yowasp
 exec nice .venv/bin/python scripts/fpga/measure.py "$@"

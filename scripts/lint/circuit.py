@@ -1,5 +1,6 @@
 """What the gates and flows of rtl/ share: its packages in an order that compiles, its modules, and what a module is made of."""
 
+import os
 import re
 import sys
 from pathlib import Path
@@ -24,9 +25,21 @@ def header(path):
     return lines
 
 
+def generated(root, pattern):
+    """What scripts/registers.sh has made of rtl/top/*.rdl."""
+    return sorted((root / os.environ.get("RELIEVO_BUILD", "build") / "registers").glob(pattern))
+
+
+def _below(root, path):
+    return path.relative_to(root) if path.is_relative_to(root) else path
+
+
 def packages(root, wanted=None):
-    """The packages of rtl/ (of these names, and what they import), the imported before those that import, as paths below root."""
+    """The packages of rtl/ (of these names, generated ones too, and what they import), the imported before those that import, as paths
+    below root."""
     found = {path.stem: path for path in sorted((root / "rtl").glob("*/*_pkg.sv"))}
+    if wanted is not None:
+        found |= {path.stem: path for path in generated(root, "*_pkg.sv")}
     ordered = []
 
     def visit(name):
@@ -38,7 +51,7 @@ def packages(root, wanted=None):
 
     for name in found if wanted is None else sorted(wanted):
         visit(name)
-    return [path.relative_to(root) for path in ordered]
+    return [_below(root, path) for path in ordered]
 
 
 def modules(root):
@@ -49,6 +62,7 @@ def modules(root):
 def made_of(root, module):
     """The packages and modules that a module reaches, itself last, as paths below root."""
     known = {path.stem: path for path in modules(root)}
+    known |= {path.stem: _below(root, path) for path in generated(root, "*_regblock.sv")}
     reached, named, waiting = [], set(), [module]
     while waiting:
         path = waiting.pop()

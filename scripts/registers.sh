@@ -1,0 +1,30 @@
+#!/usr/bin/env bash
+# Makes of each rtl/top/*.rdl its register block in SystemVerilog, a C header of its addresses and the register map as HTML:
+#   scripts/registers.sh [FOLDER]      FOLDER: ${RELIEVO_BUILD:-build}/registers; FOLDER/html/<name>/index.html is the register map
+#   Exit code 77 when PeakRDL is not here and PyPI can't be reached. What is newer than its .rdl stays.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+folder=${1:-${RELIEVO_BUILD:-build}/registers}
+scripts/venv.sh registers
+mkdir -p "$folder"
+exec 8>"$folder/lock"
+flock 8
+for rdl in rtl/top/*.rdl; do
+  name=$(basename "$rdl" .rdl)
+  header=$folder/${name}_registers.h
+  # The header comes last.
+  [[ $header -nt $rdl && $header -nt scripts/pinned_tools.txt && $header -nt scripts/registers.sh ]] && continue
+  work=$(mktemp -d)
+  trap 'rm -rf "$work"' EXIT
+  .venv/bin/peakrdl regblock "$rdl" -o "$work" --module-name "${name}_regblock" --cpuif axi4-lite-flat --addr-width 12 \
+    --default-reset rst_n --type-style hier --rt-read-fanin --err-if-bad-addr --err-if-bad-rw
+  .venv/bin/peakrdl html "$rdl" -o "$work/html/$name"
+  .venv/bin/peakrdl c-header "$rdl" -o "$work/$(basename "$header")" --type-style hier
+  mkdir -p "$folder/html"
+  rm -rf "$folder/html/$name"
+  mv "$work/html/$name" "$folder/html/$name"
+  mv "$work"/*.sv "$folder"
+  mv "$work/$(basename "$header")" "$header"
+  touch "$header"
+  rm -rf "$work"
+done
