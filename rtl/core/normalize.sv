@@ -20,18 +20,20 @@ module normalize
   output normalize_out_t out_o
 );
   // s0: |v|^2, at most 3 2^34, and the magnitudes.
-  logic signed [35:0] v_square[3];
+  logic signed [35:0] v_square_q[3];
   logic        [35:0] s0_square_q;
   logic        [17:0] s0_a[3];
   for (genvar i = 0; i < 3; i++) begin : gen_square
     direction_t  v;
     logic [17:0] a_q;
     assign v = in_i.v[i];
-    multiply #(.A(18), .B(18)) i_square (.clk_i, .a_i(v), .b_i(v), .y_o(v_square[i]));
-    always_ff @(posedge clk_i) a_q <= v[17] ? -v : v;
-    delay #(.T(logic [17:0]), .Stages(2)) i_a (.clk_i, .x_i(a_q), .y_o(s0_a[i]));
+    always_ff @(posedge clk_i) begin
+      v_square_q[i] <= v * v;
+      a_q <= v[17] ? -v : v;
+    end
+    delay #(.T(logic [17:0]), .Stages(1)) i_a (.clk_i, .x_i(a_q), .y_o(s0_a[i]));
   end
-  always_ff @(posedge clk_i) s0_square_q <= v_square[0] + v_square[1] + v_square[2];
+  always_ff @(posedge clk_i) s0_square_q <= v_square_q[0] + v_square_q[1] + v_square_q[2];
 
   // s1: m = |v|^2 4^j in [2^34, 2^36), and a 2^j below 2^18; steps of 16, 8, 4, 2, 1. A zero vector takes any way through.
   logic [35:0] m_q[6];
@@ -78,15 +80,18 @@ module normalize
     return t;
   endfunction
   entry_t root_table[512] = make_root_table();
-  entry_t             entry_q;
-  logic        [16:0] place_q;
+  // A memory is slow to read: its word waits a clock before the multiplier.
+  entry_t             read_q, entry_q;
+  logic        [16:0] read_place_q, place_q;
   logic signed [32:0] descent;
   logic        [21:0] base;
   logic        [17:0] r_q;
   logic        [21:0] r_fine;
   always_ff @(posedge clk_i) begin
-    entry_q <= root_table[m_q[5][35:27]];
-    place_q <= m_q[5][26:10];
+    read_q <= root_table[m_q[5][35:27]];
+    read_place_q <= m_q[5][26:10];
+    entry_q <= read_q;
+    place_q <= read_place_q;
   end
   multiply #(.A(15), .B(18)) i_descent (
     .clk_i, .a_i(signed'({1'b0, entry_q.slope})), .b_i(signed'({1'b0, place_q})), .y_o(descent)
@@ -105,12 +110,12 @@ module normalize
     logic tangent;
   } fallback_t;
   fallback_t fallback;
-  delay #(.T(logic [35:0]), .Stages(12)) i_square (.clk_i, .x_i(s0_square_q), .y_o(square));
+  delay #(.T(logic [35:0]), .Stages(13)) i_square (.clk_i, .x_i(s0_square_q), .y_o(square));
   always_ff @(posedge clk_i) begin
     zero_q <= s0_square_q == '0;
     square_later_q <= square;
   end
-  delay #(.T(logic), .Stages(16)) i_zero (.clk_i, .x_i(zero_q), .y_o(fallback.zero));
+  delay #(.T(logic), .Stages(17)) i_zero (.clk_i, .x_i(zero_q), .y_o(fallback.zero));
   delay #(.T(logic), .Stages(20)) i_tangent (.clk_i, .x_i(in_i.tangent), .y_o(fallback.tangent));
 
   for (genvar i = 0; i < 3; i++) begin : gen_component
@@ -120,7 +125,7 @@ module normalize
     logic [13:0] q_q;
     logic [14:0] next_q;
     logic [28:0] twice_k_q;
-    delay #(.T(logic [17:0]), .Stages(4)) i_a (.clk_i, .x_i(a_q[5][i]), .y_o(a));
+    delay #(.T(logic [17:0]), .Stages(5)) i_a (.clk_i, .x_i(a_q[5][i]), .y_o(a));
     always_ff @(posedge clk_i) begin
       product_q <= a * r_q;
       q_q <= product_q[34:21];
@@ -140,8 +145,8 @@ module normalize
     logic [52:0] s4_rest_q, s4_partial_q, s4_later_q;
     logic [31:0] s4_difference_q;
     assign k = twice_k_q[27:1];
-    delay #(.T(logic [22:0]), .Stages(14)) i_a_square (
-      .clk_i, .x_i(v_square[i][22:0]), .y_o(a_square)
+    delay #(.T(logic [22:0]), .Stages(15)) i_a_square (
+      .clk_i, .x_i(v_square_q[i][22:0]), .y_o(a_square)
     );
     multiply_rows #(.A(9), .B(32), .Y(32)) i_high (
       .clk_i, .a_i(k[26:18]), .b_i(square[31:0]), .y_o(high)
