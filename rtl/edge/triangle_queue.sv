@@ -121,7 +121,8 @@ module triangle_queue
   end
 
   always_ff @(posedge clk_i) begin
-    start_q <= slack_t'(Depth) - slack_t'(3) - 3 * slack_t'(max_generation_i);
+    start_q <= slack_t'(Depth - 3)
+             - (slack_t'(max_generation_i) + slack_t'({max_generation_i, 1'b0}));
     if (!rst_ni) begin
       count_q <= '0;
       in_flight_q <= '0;
@@ -173,7 +174,8 @@ module triangle_queue
     end
   end
 
-  T memory_q [Depth];
+  // No place is read and written in one clock, so nothing has to be built around the memory for it.
+  (* no_rw_check *) T memory_q [Depth];
   T read_q;
   always_ff @(posedge clk_i) begin
     if (push) memory_q[write_place] <= push_i;
