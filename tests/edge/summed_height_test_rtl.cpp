@@ -143,6 +143,29 @@ TYPED_TEST(summed_height_test, rtl_equals_hls_on_the_longest_edges) {
     }
 }
 
+// On small maps, coordinates three turns apart: only there are extents longer than a quarter of a wrapped axis.
+TYPED_TEST(summed_height_test, rtl_equals_hls_where_a_wrapped_axis_bounds_the_extents) {
+  generator g("quarter");
+  tally counts;
+  for (const map_size size : {map_size{1, 1}, {2, 3}, {5, 7}, {16, 24}})
+    for (int mode = 1; mode < 4; ++mode) {
+      const test_map map(size.width, size.height, fill::random, g);
+      const hls::map_regs regs = map.regs(mode % 2 != 0, mode / 2 != 0);
+      int drawn = 0;
+      const auto apart = [&](vector& v, generator& to) {
+        for (int axis = 0; axis < 2; ++axis) {
+          const bool wrap = axis == 0 ? regs.wrap_u : regs.wrap_v;
+          const std::int64_t end = coordinate_limit(axis == 0 ? regs.width : regs.height, wrap) * (wrap ? 3 : 1);
+          v.in.u1[axis] = hls::from_raw<formats::coordinate>(to.chance(2) ? 0 : to.between(0, end));
+          v.in.u2[axis] = hls::from_raw<formats::coordinate>(to.chance(2) ? end : to.between(0, end));
+        }
+        set_midpoint(v.in);
+        if (drawn++ == 0) threshold_at(v, map, 0);
+      };
+      clocks_of<TypeParam>({0, 0, 1, 4}, map, regs, apart, rtl_vector_count() / 1000 + 1, counts);
+    }
+}
+
 void place(input& in, double x1, double y1, double x2, double y2) {
   const auto at = [](double c) { return hls::from_raw<formats::coordinate>(static_cast<std::int64_t>(c * 2048)); };
   in.u1[0] = at(x1), in.u1[1] = at(y1);
