@@ -119,7 +119,6 @@ class bench {
     m.take_i = take;
     m.eval();
 
-    if (m.error_o) return fails("a push was refused");
     if (count > Depth) return fails("more than it holds");
     if (m.idle_o && (count != 0 || in_flight != 0)) return fails("idle with something inside");
     if (shown_ >= 0 && (!m.pop_valid_o || m.pop_o != shown_)) return fails("a popped triangle changed while it was not taken");
@@ -147,6 +146,7 @@ class bench {
     pushed_now_ = pushes;
     edge();
 
+    if (m.error_o) return fails("a push was refused");
     // What the queue did in that clock, against its own rule with the numbers of its beginning.
     const int begun = count + (pushes ? 1 : 0) - static_cast<int>(m.count_o), free = Depth - count, limit = 3 * s_.max_generation;
     if (begun < 0 || begun > 1) return fails("the count is wrong");
@@ -230,9 +230,9 @@ class bench {
     return true;
   }
   bool fails(char const* what) {
-    ADD_FAILURE() << what << ", clock " << clocks_ << ", count " << model_->count_o << ", in flight " << model_->in_flight_o << "; depth "
-                  << Depth << ", max_generation " << s_.max_generation << ", fifo " << s_.fifo << ", capacity " << s_.capacity << ", seed "
-                  << seed();
+    ADD_FAILURE() << what << ", clock " << clocks_ << ", count " << static_cast<int>(model_->count_o) << ", in flight "
+                  << static_cast<int>(model_->in_flight_o) << "; depth " << Depth << ", max_generation " << s_.max_generation << ", fifo "
+                  << s_.fifo << ", capacity " << s_.capacity << ", seed " << seed();
     return false;
   }
   void edge() {
