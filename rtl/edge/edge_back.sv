@@ -17,7 +17,8 @@ module edge_back
   import lane_pkg::*;
   import latency_pkg::*;
 #(
-  localparam int unsigned Tests = (NormalTest > HighlightTest ? NormalTest : HighlightTest) + PassOrTessellate,
+  localparam int unsigned Tests =
+      (NormalTest > HighlightTest ? NormalTest : HighlightTest) + PassOrTessellate,
   localparam int unsigned AfterBump = Tests > TransformNormal ? Tests : TransformNormal,
   localparam int unsigned Latency = Bump + AfterBump > Transform ? Bump + AfterBump : Transform
 ) (
@@ -31,7 +32,9 @@ module edge_back
   // N', and what comes after it.
   bump_out_t s0_bump, s1_bump;
   bump i_bump (.clk_i, .in_i('{m: normal_i.n, t: in_i.t, n: in_i.n}), .out_o(s0_bump));
-  delay #(.T(bump_out_t), .Stages(Latency - Bump)) i_bump_later (.clk_i, .x_i(s0_bump), .y_o(s1_bump));
+  delay #(.T(bump_out_t), .Stages(Latency - Bump)) i_bump_later (
+    .clk_i, .x_i(s0_bump), .y_o(s1_bump)
+  );
 
   unit_t [2:0] s0_n1, s0_n2;
   delay #(.T(unit_t [2:0]), .Stages(Bump)) i_n1 (.clk_i, .x_i(in_i.n1), .y_o(s0_n1));
@@ -125,10 +128,11 @@ module edge_back
     .clk_i, .x_i(displaced_i), .y_o(displaced)
   );
 
-  logic stays, past;
+  logic stays, past_vt, past;
   assign stays = later.place || s2_split.split;
   // Past vt and ct, the tests that are asked first.
-  assign past = !later.place && (later.vt || !regs_i.pass.use_vt) && (later.ct || !regs_i.pass.use_ct);
+  assign past_vt = !later.place && (later.vt || !regs_i.pass.use_vt);
+  assign past = past_vt && (later.ct || !regs_i.pass.use_ct);
   always_comb begin
     out_o = '0;
     out_o.m.p = later.p;
@@ -147,7 +151,7 @@ module edge_back
     out_o.split = s2_split.split;
     out_o.counts.edge_test = !later.place;
     out_o.counts.vt = !later.place && regs_i.pass.use_vt && !later.vt;
-    out_o.counts.ct = !later.place && (later.vt || !regs_i.pass.use_vt) && regs_i.pass.use_ct && !later.ct;
+    out_o.counts.ct = past_vt && regs_i.pass.use_ct && !later.ct;
     out_o.counts.nt = past && regs_i.pass.use_nt && s2_nt.nt;
     out_o.counts.sht = past && regs_i.pass.use_sht && later.sht;
     out_o.counts.pt = past && regs_i.pass.use_pt && later.pt;

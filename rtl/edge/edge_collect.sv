@@ -2,7 +2,8 @@
 //   Lanes = 1  one answer a clock;  Lanes = 3  a triangle a clock
 //   out_o  the triangle, which edges split and where; place: a base triangle whose vertices are m
 //
-//   no latency of its own: the last answer passes straight on
+//   contract: the loop over the edges in step() of hls/edge/engine.hpp
+//   latency 0: the last answer passes straight on; initiation interval: the answers of a triangle over the lanes, a clock at least
 module edge_collect
   import surface_pkg::*;
   import edge_pkg::*;

@@ -1,11 +1,12 @@
-// edge_counters: what the engine counts while a mesh runs; the list is that of hls/edge/counters.hpp.
+// edge_counters: what the engine counts while a mesh runs.
 //   clear_i   all to zero, before a mesh
 //   lane_*    an answer of a lane was taken, with what it adds
 //   in_i      a base triangle came in;  tested_i a triangle was looked at, with its settled and split edges
 //   born_i    finished when they were born: triangles that nobody needs to look at
 //   out_i, culled_i  a triangle went out, or was dropped for its back
 //
-//   Two clocks behind the events; initiation interval 1. What an event adds is registered before it is added.
+//   contract: hls/edge/counters.hpp
+//   latency 2, initiation interval 1; what an event adds is registered before it is added.
 module edge_counters
   import edge_pkg::*;
   import lane_pkg::*;

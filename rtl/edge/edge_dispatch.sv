@@ -2,7 +2,9 @@
 // the flight that waits for the answers.
 //   Lanes = 1  edges follow each other in the lane, settled ones leave no gap;  Lanes = 3  edge i goes to lane i, a triangle a clock
 //
-//   a state machine of one register between two streams; in_ready_o depends on the readies of lanes and flight, which are registers'
+//   contract: the loop over the edges in step() of hls/edge/engine.hpp
+//   latency 0: what it sends is a choice from the word at its input; initiation interval: what is asked of a triangle over the lanes, a
+//   clock at least. in_ready_o depends on the readies of lanes and flight, which are registers'.
 module edge_dispatch
   import edge_pkg::*;
   import lane_pkg::*;

@@ -34,7 +34,9 @@ module edge_front
   tex_coord_test_out_t s1_ct;
   tex_coord_test i_ct (.clk_i, .in_i('{u12: s0_u12.u, u2: s0_u2, u1: s0_u1}), .out_o(s1_ct));
   coordinate_t [1:0] s1_u12;
-  delay #(.T(coordinate_t [1:0]), .Stages(TexCoordTest)) i_u12 (.clk_i, .x_i(s0_u12.u), .y_o(s1_u12));
+  delay #(.T(coordinate_t [1:0]), .Stages(TexCoordTest)) i_u12 (
+    .clk_i, .x_i(s0_u12.u), .y_o(s1_u12)
+  );
 
   view_test_out_t s0_vt, s1_vt;
   view_test i_vt (

@@ -8,7 +8,7 @@
 //   out_*    lane_out_t, in the order of in_*
 //   An edge stopped by vt or ct asks no memory; one that needs no new vertex asks none for it.
 //
-//   one edge a clock where the memories deliver; an edge takes 12/ReadsPerClock clocks of the table and ceil(samples/SamplesPerClock) of the
+//   latency about 200 clocks, with those of the memories twice; initiation interval 1 where the memories deliver; an edge takes 12/ReadsPerClock clocks of the table and ceil(samples/SamplesPerClock) of the
 //   map when those tests are on. Registered at every boundary; nothing is dropped, everything can stall.
 //
 //   in --[edge_front]--+--[summed_height_test]--+--[new_vertex]--+--[normal_sampler]---+--[edge_back]-- out

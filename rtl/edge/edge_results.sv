@@ -2,7 +2,9 @@
 //   in     result_t; to_queue and to_out say which of the four are meant, at least one is
 //   push   to the queue, which never refuses;  retire_o with the last of a result: the triangle is no longer in flight
 //   out    triangle_t, finished
-//   busy_o a result is being handed out
+//   contract: pass and the pushes in step() of hls/edge/engine.hpp
+//   latency 0: a choice from the word at its input; initiation interval: the larger of those bound for the queue and those bound for out,
+//   a clock at least. in_ready_o depends on out_ready_i, which is a register's.
 module edge_results
   import edge_pkg::*;
   import engine_pkg::*;
