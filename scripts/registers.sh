@@ -18,6 +18,8 @@ for rdl in rtl/top/*.rdl; do
   trap 'rm -rf "$work"' EXIT
   .venv/bin/peakrdl regblock "$rdl" -o "$work" --module-name "${name}_regblock" --cpuif axi4-lite-flat --addr-width 12 \
     --default-reset rst_n --type-style hier --rt-read-fanin --err-if-bad-addr --err-if-bad-rw
+  # Verilator 5.006 takes wide registers, and fields with the names of C++ types, in packed structures alone.
+  sed -i 's/\bstruct {/struct packed {/' "$work"/*.sv
   .venv/bin/peakrdl html "$rdl" -o "$work/html/$name"
   .venv/bin/peakrdl c-header "$rdl" -o "$work/$(basename "$header")" --type-style hier
   mkdir -p "$folder/html"

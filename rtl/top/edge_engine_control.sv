@@ -8,11 +8,13 @@
 //         map_error_i                     an error of the builders of maps, for one clock
 //   out   regs_o, expected_o  taken over at start, constant until done; limit_o: the largest coordinates they allow
 //         begin_o             for one clock: engine and input begin; with refuse_o no triangle is let in
-//         close_o             for one clock: the host has seen an error, or begins anew: nothing more is swallowed
+//         close_o             for one clock: the host has seen an error, or begins anew: nothing more is swallowed; at once, so that no
+//                             word is that comes after the host's write was answered
 //         stop_o              for one clock, once the mesh runs: its packet is to end
 //         busy_o, done_o, error_code_o
 //
-//   latency 3 from start to begin_o; initiation interval: a mesh. All outputs registered.
+//   latency 2 from start to begin_o; initiation interval: a mesh. All outputs but close_o are registered, or a gate from
+//   registers.
 //   A mesh that is refused begins too, without triangles, so that every start but one while busy puts one packet out.
 module edge_engine_control
   import formats_pkg::*;
@@ -44,7 +46,6 @@ module edge_engine_control
   typedef enum logic [2:0] {
     Idle,
     Load,
-    Check,
     Begin,
     Started,
     Running
@@ -53,13 +54,13 @@ module edge_engine_control
 
   logic start, ends;
   assign start = control_i.start && phase_q == Idle;
+  assign close_o = start || control_i.clear_error;
   assign ends = phase_q == Running && engine_done_i && input_over_i;
   always_comb begin
     next_phase = phase_q;
     unique case (phase_q)
       Idle:    if (start) next_phase = Load;
-      Load:    next_phase = Check;
-      Check:   next_phase = Begin;
+      Load:    next_phase = Begin;
       Begin:   next_phase = Started;
       Started: next_phase = Running;
       Running: if (ends) next_phase = Idle;
@@ -67,21 +68,21 @@ module edge_engine_control
     endcase
   end
 
-  // Load: what the registers are worth.
-  error_code_e checked, checked_q;
+  // What the registers are worth, known with busy_o; in Load what they allow.
+  error_code_e checked;
   always_comb begin
-    checked = map_error(regs_o.map.width, regs_o.map.height);
-    if (checked == None && regs_o.pass.max_generation > max_generation_i)
+    checked = map_error(regs_i.map.width, regs_i.map.height);
+    if (checked == None && regs_i.pass.max_generation > max_generation_i)
       checked = MaxGenerationTooLarge;
   end
   always_ff @(posedge clk_i) begin
     if (start) begin
       regs_o <= regs_i;
       expected_o <= expected_i;
+      refuse_o <= checked != None;
     end
     limit_o[0] <= coordinate_limit(regs_o.map.width, regs_o.map.wrap_u);
     limit_o[1] <= coordinate_limit(regs_o.map.height, regs_o.map.wrap_v);
-    checked_q <= checked;
   end
 
   // A stop waits for the mesh to run.
@@ -96,24 +97,21 @@ module edge_engine_control
     if (control_i.start && phase_q != Idle) wrong = StartWhileBusy;
     if (overflow_i && !overflow_q) wrong = QueueOverflow;
     if (input_error_i != None) wrong = input_error_i;
-    if (phase_q == Check && checked_q != None) wrong = checked_q;
+    if (start && checked != None) wrong = checked;
   end
   always_ff @(posedge clk_i) begin
     overflow_q <= overflow_i;
-    refuse_o <= checked_q != None;
     if (!rst_ni) begin
       phase_q <= Idle;
       stop_q <= 1'b0;
       begin_o <= 1'b0;
-      close_o <= 1'b0;
       busy_o <= 1'b0;
       done_o <= 1'b0;
       error_code_o <= None;
     end else begin
       phase_q <= next_phase;
       stop_q <= next_phase != Idle && (control_i.stop || (stop_q && !stop_o));
-      begin_o <= phase_q == Check;
-      close_o <= start || control_i.clear_error;
+      begin_o <= phase_q == Load;
       busy_o <= next_phase != Idle;
       if (start) done_o <= 1'b0;
       else if (ends) done_o <= 1'b1;

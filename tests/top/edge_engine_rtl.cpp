@@ -1,0 +1,432 @@
+// verilate: Vedge_engine SAT_READS_PER_CLOCK=3 PROFILE_SAMPLES_PER_CLOCK=1 QUEUE_DEPTH=128 MAX_GENERATION=6
+// edge_engine: the circuit through its buses, maps built by its builders, meshes back to back with other registers: the triangles and
+// counters of hls::engine. And every error: its code, an end of the packet, and a good mesh after it.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "Vedge_engine.h"
+#include "tests/support/edge_engine_bench.hpp"
+
+namespace relievo::test {
+namespace {
+
+using bench_type = edge_engine_bench<Vedge_engine>;
+using code = tb::edge_engine_code;
+constexpr int max_generation = 6;
+constexpr std::uint64_t patience = 20000;
+
+hls::top::base_triangle base_of(hls::triangle const& t) {
+  hls::top::base_triangle b{};
+  for (int i = 0; i < 3; ++i) {
+    hls::detail::copy(b.v[i].p, t.v[i].p);
+    hls::detail::copy(b.v[i].n, t.v[i].n);
+    hls::detail::copy(b.v[i].t, t.v[i].t);
+    hls::detail::copy(b.v[i].u, t.v[i].u);
+  }
+  b.index = t.index;
+  b.last = t.last;
+  return b;
+}
+
+// Records as words, in an order of their own; which of them is the last depends on time.
+std::vector<std::vector<std::int64_t>> sorted_words(std::vector<hls::triangle_out> const& triangles) {
+  std::vector<std::vector<std::int64_t>> set;
+  for (hls::triangle_out t : triangles) {
+    t.last = false;
+    set.push_back(tb::raw_words(t));
+  }
+  std::sort(set.begin(), set.end());
+  return set;
+}
+
+// The mesh of the first n base triangles.
+engine_scene first_of(engine_scene s, std::size_t n) {
+  s.base.resize(n);
+  if (n != 0) s.base.back().last = true;
+  return s;
+}
+
+hls_run reference(engine_scene const& s) {
+  static const auto engine = std::make_unique<hls::engine<128>>();
+  if (!s.base.empty()) return run_hls(*engine, s);
+  hls_run nothing;
+  hls::triangle_out empty{};
+  empty.empty = empty.last = true;
+  nothing.triangles.push_back(empty);
+  return nothing;
+}
+
+class session {
+ public:
+  explicit session(traffic const& t = {0, 0, 1, 1}) : bench(t) {}
+
+  void build_maps(engine_scene const& s) {
+    bench.table.clear();
+    bench.normals.clear();
+    bench.driver.set(s.regs);
+    bench.driver.set(s.normal_regs);
+    std::vector<std::uint16_t> const& words = s.map.words();
+    for (std::size_t i = 0; i < words.size(); ++i) bench.texels.push_back({words[i], i + 1 == words.size()});
+    wait_for_map();
+    expect_maps(s);
+  }
+  void wait_for_map() {
+    for (std::uint64_t i = 0; !bench.texels.empty() || bench.driver.state().map_busy; ++i) {
+      ASSERT_LT(i, patience) << "the map is not done";
+      bench.clock();
+    }
+  }
+  void expect_maps(engine_scene const& s) {
+    ASSERT_EQ(bench.table.size(), s.map.words().size());
+    ASSERT_EQ(bench.normals.size(), s.map.words().size());
+    for (int y = 0; y < s.map.height(); ++y)
+      for (int x = 0; x < s.map.width(); ++x) {
+        const auto i = static_cast<std::size_t>(y * s.map.width() + x);
+        ASSERT_EQ(bench.table[std::make_pair(x, y)], s.map.table().words[i]) << x << ", " << y;
+        ASSERT_EQ(bench.normals[std::make_pair(x, y)], s.normals[i]) << x << ", " << y;
+      }
+  }
+
+  // Registers and start; the packet is the caller's.
+  void begin(engine_scene const& s, std::uint32_t expected) {
+    bench.load(s);
+    bench.packets.clear();
+    bench.driver.set(s.regs);
+    bench.driver.start(expected);
+  }
+  void send(engine_scene const& s) {
+    for (hls::triangle const& t : s.base) bench.base.push_back({base_of(t), t.last});
+  }
+  // The mesh is over: one packet, the triangles and counters of s.
+  void expect_mesh(engine_scene const& s, code wrong) {
+    const tb::edge_engine_state state = bench.driver.wait(patience);
+    ASSERT_TRUE(state.done);
+    ASSERT_EQ(state.code, wrong) << bench.driver.describe(state.code);
+    ASSERT_EQ(state.error, wrong != code::none);
+    const hls_run right = reference(s);
+    ASSERT_EQ(bench.packets.size(), 1u);
+    ASSERT_EQ(sorted_words(bench.packets[0]), sorted_words(right.triangles));
+    counter_list ours = list_of(bench.driver.counters()), theirs = list_of(right.counts);
+    ASSERT_EQ(ours.size(), theirs.size());
+    for (std::size_t i = 0; i < ours.size(); ++i) {
+      // What depends on time.
+      if (ours[i].first == "queue_high_water") {
+        ASSERT_LE(ours[i].second, 128u);
+      } else if (ours[i].first != "fifo_fallbacks") {
+        ASSERT_EQ(ours[i], theirs[i]);
+      }
+    }
+  }
+  void run(engine_scene const& s, bool counted) {
+    build_maps(s);
+    begin(s, counted ? static_cast<std::uint32_t>(s.base.size()) : 0);
+    send(s);
+    expect_mesh(s, code::none);
+    ASSERT_TRUE(bench.idle());
+  }
+  // The text is one line that says what.
+  void expect_line(code wrong, std::string const& part) {
+    try {
+      bench.driver.check(bench.driver.state());
+      FAIL() << "no error, where " << part << " was to be wrong";
+    } catch (tb::edge_engine_error const& e) {
+      const std::string line = e.what();
+      EXPECT_NE(line.find(part), std::string::npos) << line;
+      EXPECT_EQ(line.find('\n'), std::string::npos) << line;
+      EXPECT_EQ(bench.driver.state().code, wrong);
+    }
+  }
+
+  bench_type bench;
+};
+
+// A scene with several base triangles.
+engine_scene good_scene(generator& g) {
+  for (;;) {
+    engine_scene s = random_scene(g, static_cast<int>(g.between(0, 3)));
+    if (s.base.size() >= 3) return s;
+  }
+}
+
+TEST(edge_engine, says_what_it_was_built_with) {
+  session it;
+  const tb::edge_engine_build b = it.bench.driver.build();
+  EXPECT_EQ(b.lanes, 1u);
+  EXPECT_EQ(b.sat_reads_per_clock, 3u);
+  EXPECT_EQ(b.profile_samples_per_clock, 1u);
+  EXPECT_EQ(b.queue_depth, 128u);
+  EXPECT_EQ(b.max_generation, static_cast<std::uint32_t>(max_generation));
+}
+
+// What can be written and read back is the records' bits and expected_triangles; all else refuses to be written.
+TEST(edge_engine, registers_hold_the_records_bits) {
+  session it({5, 5, 1, 1});
+  generator g("registers");
+  it.bench.may_refuse = true;
+  const auto bits = [](std::uint32_t word) {
+    int n = 0;
+    for (; word != 0; word &= word - 1) ++n;
+    return n;
+  };
+  int held = 0, refused = 0;
+  for (std::uint32_t address = 8; address < 0x400; address += 4) {
+    it.bench.write32(address, 0xffffffffu);
+    const bool writes = it.bench.okay;
+    const std::uint32_t mask = it.bench.read32(address);
+    if (!it.bench.okay) {
+      EXPECT_FALSE(writes) << address;
+      ++refused;
+    }
+    if (!writes) continue;
+    EXPECT_EQ(mask & (mask + 1), 0u) << address;
+    held += bits(mask);
+    const auto word = static_cast<std::uint32_t>(g() >> 32);
+    it.bench.write32(address, word);
+    EXPECT_EQ(it.bench.read32(address), word & mask) << address;
+  }
+  EXPECT_EQ(held, hls::field_width<hls::engine_regs>::value + hls::field_width<hls::normal_map_regs>::value + 32);
+  EXPECT_GT(refused, 0);
+}
+
+TEST(edge_engine, rtl_equals_hls_on_scenes_back_to_back) {
+  generator g("scenes");
+  const traffic patterns[] = {{0, 0, 1, 1}, {0, 7, 1, 40}, {7, 0, 1, 40}, {5, 5, 20, 20}};
+  std::uint64_t tests = 0;
+  for (traffic const& t : patterns) {
+    session it(t);
+    for (int i = 0; i < 12; ++i) {
+      const engine_scene s = random_scene(g, static_cast<int>(g.between(0, 4)));
+      it.run(s, i % 2 != 0);
+      if (HasFatalFailure()) FAIL() << "scene " << i << ", seed " << seed() << "\n" << describe(s.regs);
+      tests += it.bench.driver.counters().edge_tests;
+    }
+  }
+  EXPECT_GT(tests, 1000u);
+}
+
+// Registers written while a mesh runs are the next one's.
+TEST(edge_engine, registers_are_taken_over_at_start) {
+  generator g("shadow");
+  session it;
+  for (int i = 0; i < 4; ++i) {
+    const engine_scene first = good_scene(g), second = good_scene(g);
+    it.build_maps(first);
+    it.begin(first, 0);
+    it.bench.driver.set(second.regs);
+    it.send(first);
+    it.expect_mesh(first, code::none);
+    ASSERT_FALSE(HasFatalFailure()) << "seed " << seed();
+  }
+}
+
+// ---- errors: each as a story of its own, on a bench that has run, and that runs a good scene afterwards
+template <class Story>
+void tell(Story story) {
+  for (traffic const& t : {traffic{0, 0, 1, 1}, traffic{6, 4, 1, 20}}) {
+    session it(t);
+    generator g("errors");
+    it.run(good_scene(g), true);
+    const engine_scene s = good_scene(g);
+    story(it, s);
+    if (testing::Test::HasFatalFailure()) FAIL() << "seed " << seed();
+    it.run(good_scene(g), true);
+    if (testing::Test::HasFatalFailure()) FAIL() << "the good scene afterwards, seed " << seed();
+  }
+}
+
+// A start that is refused, and its packet, which comes or does not.
+template <class Spoil>
+void refused(Spoil spoil, code wrong, std::string const& part) {
+  for (const bool comes : {true, false})
+    for (const bool counted : {true, false})
+      tell([&](session& it, engine_scene s) {
+        spoil(s.regs);
+        it.begin(s, counted ? static_cast<std::uint32_t>(s.base.size()) : 0);
+        const tb::edge_engine_state state = it.bench.driver.state();
+        ASSERT_TRUE(state.busy && state.error && !state.done);
+        it.expect_line(wrong, part);
+        if (comes)
+          it.send(s);
+        else
+          it.bench.driver.stop();
+        it.expect_mesh(first_of(s, 0), wrong);
+        ASSERT_TRUE(it.bench.idle());
+      });
+}
+
+TEST(edge_engine, refuses_a_map_size_of_zero) {
+  refused([](hls::engine_regs& r) { r.map.width = hls::from_raw<formats::map_size>(0); }, code::map_size_zero, "0 x ");
+  refused([](hls::engine_regs& r) { r.map.height = hls::from_raw<formats::map_size>(0); }, code::map_size_zero, " x 0");
+}
+TEST(edge_engine, refuses_a_map_size_beyond_the_format) {
+  refused([](hls::engine_regs& r) { r.map.width = hls::from_raw<formats::map_size>(8193); }, code::map_size_too_large, "8193 x ");
+  refused([](hls::engine_regs& r) { r.map.height = hls::from_raw<formats::map_size>(16383); }, code::map_size_too_large, " x 16383");
+}
+TEST(edge_engine, refuses_a_max_generation_above_the_builds) {
+  refused([](hls::engine_regs& r) { r.pass.max_generation = hls::from_raw<formats::generation>(max_generation + 1); },
+          code::max_generation_too_large, "max_generation is 7, where this build has 6");
+}
+
+TEST(edge_engine, survives_an_early_last) {
+  tell([](session& it, engine_scene const& s) {
+    it.begin(s, static_cast<std::uint32_t>(s.base.size() + 2));
+    it.send(s);
+    it.expect_mesh(s, code::early_last);
+    it.expect_line(code::early_last, "came after " + std::to_string(s.base.size()));
+  });
+}
+
+// The packet ends without saying so, or goes on.
+TEST(edge_engine, survives_a_missing_last) {
+  for (const std::size_t more : {0, 1, 5})
+    tell([&](session& it, engine_scene s) {
+      const engine_scene whole = s;
+      s.base.back().last = false;
+      for (std::size_t i = 0; i < more; ++i) {
+        s.base.push_back(s.base.front());
+        s.base.back().last = i + 1 == more;
+      }
+      it.begin(s, static_cast<std::uint32_t>(whole.base.size()));
+      it.send(s);
+      it.expect_mesh(whole, code::missing_last);
+      it.expect_line(code::missing_last, "without last and tlast");
+      for (int i = 0; i < 200; ++i) it.bench.clock();
+      ASSERT_TRUE(it.bench.idle());
+      ASSERT_EQ(it.bench.driver.state().swallowing, more == 0);
+    });
+}
+
+TEST(edge_engine, survives_last_and_tlast_that_disagree) {
+  for (const bool tlast : {true, false})
+    for (const bool counted : {true, false})
+      for (const std::size_t at : {0, 1, 2})
+        tell([&](session& it, engine_scene const& s) {
+          it.begin(s, counted ? static_cast<std::uint32_t>(s.base.size()) : 0);
+          for (std::size_t i = 0; i < s.base.size(); ++i) {
+            hls::top::base_triangle b = base_of(s.base[i]);
+            b.last = i == at ? !tlast : false;
+            it.bench.base.push_back({b, i == at ? tlast : i + 1 == s.base.size()});
+            if (i == at && tlast) break;
+          }
+          it.expect_mesh(first_of(s, at + 1), code::last_disagrees);
+          it.expect_line(code::last_disagrees, "only one of last and tlast");
+          for (int i = 0; i < 200; ++i) it.bench.clock();
+          ASSERT_TRUE(it.bench.idle());
+        });
+}
+
+TEST(edge_engine, survives_a_coordinate_outside_the_map) {
+  for (const std::size_t at : {0, 1, 2})
+    for (int vertex = 0; vertex < 3; ++vertex)
+      for (int axis = 0; axis < 2; ++axis)
+        tell([&](session& it, engine_scene s) {
+          const engine_scene before = first_of(s, at);
+          const std::int64_t limit =
+              axis == 0 ? coordinate_limit(s.regs.map.width, s.regs.map.wrap_u) : coordinate_limit(s.regs.map.height, s.regs.map.wrap_v);
+          s.base[at].v[vertex].u[axis] = hls::from_raw<formats::coordinate>(limit + 1);
+          it.begin(s, at == 1 ? static_cast<std::uint32_t>(s.base.size()) : 0);
+          it.send(s);
+          it.expect_mesh(before, code::coordinate_outside_map);
+          it.expect_line(code::coordinate_outside_map, "after " + std::to_string(at) + " has a texture coordinate outside");
+          ASSERT_TRUE(it.bench.idle());
+        });
+}
+
+TEST(edge_engine, survives_a_start_while_busy) {
+  tell([](session& it, engine_scene const& s) {
+    it.bench.sink_open = false;
+    it.begin(s, 0);
+    it.send(s);
+    it.bench.clock(300);
+    it.bench.driver.start(1);
+    it.expect_line(code::start_while_busy, "while a mesh was running");
+    it.bench.sink_open = true;
+    it.expect_mesh(s, code::start_while_busy);
+    it.bench.driver.clear_error();
+    ASSERT_FALSE(it.bench.driver.state().error);
+  });
+}
+
+TEST(edge_engine, survives_a_packet_that_breaks_off) {
+  for (const std::size_t sent : {0, 1, 2})
+    tell([&](session& it, engine_scene const& s) {
+      it.begin(s, sent == 2 ? static_cast<std::uint32_t>(s.base.size()) : 0);
+      for (std::size_t i = 0; i < sent; ++i) it.bench.base.push_back({base_of(s.base[i]), false});
+      it.bench.clock(500);
+      EXPECT_THROW(it.bench.driver.wait(10), tb::edge_engine_error);
+      it.bench.driver.stop();
+      it.expect_mesh(first_of(s, sent), code::stopped);
+      it.expect_line(code::stopped, "stop was written");
+    });
+}
+
+// ---- errors of a map; the builders still put out a whole map of some kind, or nothing
+TEST(edge_engine, survives_a_map_of_a_wrong_size) {
+  for (const std::int64_t size : {0, 8193, 16383})
+    for (const bool of_width : {true, false})
+      tell([&](session& it, engine_scene s) {
+        (of_width ? s.regs.map.width : s.regs.map.height) = hls::from_raw<formats::map_size>(size);
+        it.bench.driver.set(s.regs);
+        it.bench.table.clear();
+        it.bench.normals.clear();
+        for (int i = 0; i < 20; ++i) it.bench.texels.push_back({5, i == 19});
+        it.wait_for_map();
+        it.bench.clock(200);
+        ASSERT_TRUE(it.bench.table.empty() && it.bench.normals.empty());
+        const code wrong = size == 0 ? code::map_size_zero : code::map_size_too_large;
+        it.expect_line(wrong, std::to_string(size));
+      });
+}
+
+TEST(edge_engine, survives_a_map_that_ends_early) {
+  for (const bool stopped : {false, true})
+    tell([&](session& it, engine_scene s) {
+      generator g("short");
+      s = engine_scene(test_map(7, 5, fill::random, g));
+      s.regs.map = s.map.regs(false, true);
+      it.bench.driver.set(s.regs);
+      it.bench.table.clear();
+      it.bench.normals.clear();
+      for (int i = 0; i < 17; ++i) it.bench.texels.push_back({s.map.words()[static_cast<std::size_t>(i)], i == 16 && !stopped});
+      if (stopped) {
+        it.bench.clock(300);
+        ASSERT_TRUE(it.bench.driver.state().map_busy);
+        it.bench.driver.stop();
+      }
+      it.wait_for_map();
+      ASSERT_EQ(it.bench.table.size(), 35u);
+      ASSERT_EQ(it.bench.normals.size(), 35u);
+      // Zeros for what did not come.
+      std::vector<std::uint16_t> filled = s.map.words();
+      std::fill(filled.begin() + 17, filled.end(), std::uint16_t(0));
+      const auto sums = golden::summed_area_table(filled.data(), 7, 5);
+      for (int i = 0; i < 35; ++i) ASSERT_EQ(it.bench.table[std::make_pair(i % 7, i / 7)], sums[static_cast<std::size_t>(i)]) << i;
+      it.expect_line(stopped ? code::stopped : code::map_early_last,
+                     stopped ? "stop was written" : "before the last texel of a map of 7 x 5");
+      it.bench.driver.clear_error();
+    });
+}
+
+// What follows is swallowed, up to its tlast or until the host has seen it.
+TEST(edge_engine, survives_a_map_that_does_not_end) {
+  for (const int more : {0, 1, 9})
+    tell([&](session& it, engine_scene const& s) {
+      it.bench.driver.set(s.regs);
+      it.bench.driver.set(s.normal_regs);
+      it.bench.table.clear();
+      it.bench.normals.clear();
+      for (std::uint16_t const word : s.map.words()) it.bench.texels.push_back({word, false});
+      for (int i = 0; i < more; ++i) it.bench.texels.push_back({7, i + 1 == more});
+      it.wait_for_map();
+      it.bench.clock(200);
+      it.expect_maps(s);
+      ASSERT_EQ(it.bench.driver.state().swallowing, more == 0);
+      it.expect_line(code::map_missing_last, "without tlast");
+      it.bench.driver.clear_error();
+    });
+}
+
+}  // namespace
+}  // namespace relievo::test
