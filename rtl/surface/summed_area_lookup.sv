@@ -239,7 +239,8 @@ module summed_area_lookup
 
   // ---- Answers: what was laid aside comes with them, in order ------------------------------------
   localparam int unsigned SumLatency = 31;
-  beside_t                beside_q[InFlight];
+  // A beat is never answered in the clock in which it is laid aside, so no bypass is wanted.
+  (* no_rw_check *) beside_t beside_q[InFlight];
   beside_t                a0_q;
   table_sum_t [Words-1:0] a0_word_q;
   logic                   a0_valid_q;
