@@ -11,8 +11,9 @@
 //   that crosses a border of an axis that wraps, 4 for both; rectangles side by side count as one that crosses all they cross.
 //   Registered: requests, answers and every stage; no path from a ready input to in_ready_o or to a valid output.
 //
-//   in --[summed_area_axis x 2, areas]--[FIFO]--[pass, beat]--req--> memory
-//                                                    +--[beside]------+--rsp--[a0]--[summed_area_sum]--[FIFO]-- out
+//   in --[summed_area_axis x 2]--[FIFO]--[pass, beat]--req--> memory
+//        |                                   +--[beside]--------+--rsp--[a0]--[summed_area_sum]--[FIFO]-- out
+//        +--[areas]-----[FIFO]----------------------------------------------------+
 //
 //   Of a rectangle with t turns in u between its bounds, SAT(x1, y) - SAT(x0, y) = word(x1, y) - word(x0, y) + t SAT(W, y). So the
 //   second pass reads the corners of the column W, once each and with the sign of x1, and weighs their sum by t; the third the row H;
@@ -47,7 +48,7 @@ module summed_area_lookup
   output area_t                                 area_o
 );
   localparam int unsigned Beats = 4 / ReadsPerClock;
-  localparam int unsigned Results = InFlight / Beats + 4;
+  localparam int unsigned Results = InFlight / Beats + 5;
   if (ReadsPerClock != 1 && ReadsPerClock != 4) begin : gen_bad
     $error("ReadsPerClock is 1 or 4");
   end
@@ -64,7 +65,6 @@ module summed_area_lookup
     logic      [1:0]      read_low;
     map_size_t [1:0]      low;
     map_size_t [1:0]      high;
-    areas_t               areas;
   } region_t;
   typedef struct packed {
     logic    [1:0]         passes;  // any of them has turns
@@ -80,6 +80,7 @@ module summed_area_lookup
   // ---- Regions: s0 to s7 -------------------------------------------------------------------------
   localparam int unsigned RegionLatency = 8;
   regions_t s7_q, region;
+  areas_t [Lookups-1:0] s7_areas_q, a0_areas;
   logic     region_valid, region_ready;
   logic [1:0][Lookups-1:0] turning;
   for (genvar l = 0; l < Lookups; l++) begin : gen_region
@@ -131,10 +132,16 @@ module summed_area_lookup
       s7_q.at[l].read_low <= s6_read_low;
       s7_q.at[l].low      <= s6_low;
       s7_q.at[l].high     <= s6_high;
-      s7_q.at[l].areas    <= s6_areas;
+      s7_areas_q[l]       <= s6_areas;
     end
   end
   always_ff @(posedge clk_i) s7_q.passes <= {|turning[1], |turning[0]};
+
+  logic [RegionLatency-1:0] s7_valid_q;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) s7_valid_q <= '0;
+    else s7_valid_q <= {s7_valid_q[RegionLatency-2:0], in_valid_i && in_ready_o};
+  end
 
   stream_pipe #(.T(regions_t), .Latency(RegionLatency)) i_regions (
     .clk_i,
@@ -149,12 +156,11 @@ module summed_area_lookup
 
   // ---- Requests: the passes that there are of 00, u, v, uv; of each its beats --------------------
   typedef struct packed {
-    logic                      first;
-    logic                      last;
-    logic                      negative;
-    logic   [Words-1:0]        read;
-    logic   [Lookups-1:0][7:0] weight;
-    areas_t [Lookups-1:0]      areas;
+    logic                    first;
+    logic                    last;
+    logic                    negative;
+    logic [Words-1:0]        read;
+    logic [Lookups-1:0][7:0] weight;
   } beside_t;
 
   localparam int unsigned AskedBits = $clog2(InFlight + 1);
@@ -164,6 +170,7 @@ module summed_area_lookup
   logic [PlacedBits-1:0] placed_q;  // results that are promised a place, or lie in theirs
   logic [PlaceBits-1:0]  write_place_q, read_place_q;
   logic [1:0] pass_q, beat_q;
+  logic       rooms_q;  // a clock old, so one more may have been asked for since
   logic       free, room, ask, last_beat, last, leave;
   table_request_t [Words-1:0] request;
   beside_t beside;
@@ -173,7 +180,7 @@ module summed_area_lookup
   endfunction
 
   assign free = !table_req_valid_o || table_req_ready_i;
-  assign room = asked_q != AskedBits'(InFlight) && placed_q != PlacedBits'(Results) && free;
+  assign room = rooms_q && free;
   assign ask = region_valid && room;
   assign last_beat = beat_q == 2'(Beats - 1);
   assign last = last_beat && pass_q == region.passes;
@@ -188,7 +195,6 @@ module summed_area_lookup
     beside.last = last;
     beside.negative = ^beat_q;
     for (int l = 0; l < Lookups; l++) begin
-      beside.areas[l] = region.at[l].areas;
       unique case (pass_q)
         2'b00: beside.weight[l] = 8'd1;
         2'b01: beside.weight[l] = 8'(region.at[l].turns[0]);
@@ -217,6 +223,7 @@ module summed_area_lookup
       beat_q <= '0;
       asked_q <= '0;
       placed_q <= '0;
+      rooms_q <= 1'b0;
       write_place_q <= '0;
       read_place_q <= '0;
     end else begin
@@ -234,6 +241,7 @@ module summed_area_lookup
       if (table_rsp_valid_i) read_place_q <= after(read_place_q);
       asked_q <= asked_q + AskedBits'(ask) - AskedBits'(table_rsp_valid_i);
       placed_q <= placed_q + PlacedBits'(ask && last) - PlacedBits'(leave);
+      rooms_q <= asked_q < AskedBits'(InFlight - 1) && placed_q < PlacedBits'(Results - 1);
     end
   end
 
@@ -258,6 +266,22 @@ module summed_area_lookup
     end
   end
 
+  // The areas wait from s7 on for the answer to the last beat: there are never more than regions waiting and results promised.
+  localparam int unsigned Areas = RegionLatency + 5 + Results;
+  logic unused_areas_ready, unused_areas_valid;
+  logic [$clog2(Areas+1)-1:0] unused_areas_count;
+  stream_fifo #(.T(areas_t [Lookups-1:0]), .Depth(Areas)) i_areas (
+    .clk_i,
+    .rst_ni,
+    .in_valid_i(s7_valid_q[RegionLatency-1]),
+    .in_ready_o(unused_areas_ready),
+    .in_i(s7_areas_q),
+    .out_valid_o(unused_areas_valid),
+    .out_ready_i(a0_valid_q && a0_q.last),
+    .out_o(a0_areas),
+    .count_o(unused_areas_count)
+  );
+
   typedef struct packed {
     area_t                                 area;
     summed_area_lookup_out_t [Lookups-1:0] s;
@@ -273,9 +297,9 @@ module summed_area_lookup
       .read_i(a0_q.read[l*ReadsPerClock+:ReadsPerClock]),
       .negative_i(a0_q.negative),
       .weight_i(a0_q.weight[l]),
-      .clipped_i(a0_q.areas[l].clipped),
-      .kept_i(a0_q.areas[l].kept),
-      .full_i(a0_q.areas[l].full),
+      .clipped_i(a0_areas[l].clipped),
+      .kept_i(a0_areas[l].kept),
+      .full_i(a0_areas[l].full),
       .s_o(result.s[l].s),
       .area_o(area)
     );
