@@ -78,7 +78,8 @@ module engine
 
   // ---- the mesh: begun by start_i, its input over with the last base triangle
   logic running_q, input_done_q, finish;
-  assign done_o = !running_q && !out_valid_o;
+  logic [2:0] out_count;
+  assign done_o = !running_q && out_count == '0;
 
   // ---- the next triangle: from the queue, or from outside when the queue has none
   logic pop_valid, pop_ready, may_take, take, push_valid, retire, queue_idle;
@@ -324,7 +325,6 @@ module engine
       out_word.last = 1'b1;
     end
   end
-  logic [2:0] unused_out_count;
   stream_fifo #(.T(triangle_out_t), .Depth(4)) i_out (
     .clk_i,
     .rst_ni,
@@ -334,7 +334,7 @@ module engine
     .out_valid_o,
     .out_ready_i,
     .out_o,
-    .count_o(unused_out_count)
+    .count_o(out_count)
   );
 
   always_ff @(posedge clk_i) begin

@@ -129,7 +129,7 @@ module edge_engine_input
     end else begin
       mode_q <= next_mode;
       full_q <= take || (full_q && !go);
-      stop_q <= (stop_i && !over_o) || (stop_q && !stops);
+      stop_q <= stop_i || (stop_q && !stops);
       // A packet that is refused ends the engine's input at once.
       end_o <= begin_i ? refuse_i : mode_q == Open && ((go && outside_q) || stops);
       error_o <= error;

@@ -1,4 +1,4 @@
-// edge_engine_registers: the register block that scripts/registers.sh makes of edge_engine.rdl, with the records of the engine as its ports.
+// edge_engine_registers: the register block that scripts/registers.sh makes of edge_engine.rdl, with the engine's records as its ports.
 //   in    s_axil               AXI4-Lite, 32 bits; an address without a register, and a write to one that is only read, give SLVERR
 //         state_i, counters_i, saturations_i, build_i  what the host reads
 //   out   control_o            for one clock each

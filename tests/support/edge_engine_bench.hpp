@@ -23,6 +23,7 @@
 #include "tb/cosim/map_words.hpp"
 #include "tb/cosim/ports.hpp"
 #include "tests/support/engine_scene.hpp"
+#include "tests/support/held_word.hpp"
 #include "tests/support/stream_unit.hpp"
 
 namespace relievo::test {
@@ -107,10 +108,6 @@ class edge_engine_bench : public tb::register_bus {
     std::deque<std::pair<std::uint64_t, Answer>> answers;
     bool ready = false;
   };
-  struct hold {
-    bool held = false;
-    std::vector<std::uint32_t> word;
-  };
 
   void quiet() {
     Model& m = *model_;
@@ -185,23 +182,6 @@ class edge_engine_bench : public tb::register_bus {
     to.answers.push_back({due, look_up(tb::get<Request>(req))});
   }
 
-  template <class Port>
-  static std::vector<std::uint32_t> words_of_port(Port const& port) {
-    if constexpr (std::is_integral_v<Port>) {
-      return {static_cast<std::uint32_t>(port), static_cast<std::uint32_t>(static_cast<std::uint64_t>(port) >> 32)};
-    } else {
-      std::vector<std::uint32_t> list;
-      for (std::size_t i = 0; i < sizeof(Port) / 4; ++i) list.push_back(port[i]);
-      return list;
-    }
-  }
-  void holds(hold& h, bool valid, bool ready, std::vector<std::uint32_t> const& word, char const* name) {
-    if (h.held && !valid) ADD_FAILURE() << name << ": valid fell before the word was taken, clock " << clocks;
-    if (h.held && valid && word != h.word) ADD_FAILURE() << name << ": the word changed before it was taken, clock " << clocks;
-    h.held = valid && !ready;
-    if (h.held) h.word = word;
-  }
-
   void step() {
     Model& m = *model_;
     quiet();
@@ -249,7 +229,7 @@ class edge_engine_bench : public tb::register_bus {
       texels.pop_front();
       offering_texel_ = false;
     }
-    holds(out_hold_, m.m_axis_tvalid, m.m_axis_tready, words_of_port(m.m_axis_tdata), "m_axis");
+    out_hold_.look(m.m_axis_tvalid, m.m_axis_tready, m.m_axis_tdata, clocks);
     if (m.m_axis_tvalid && m.m_axis_tready) {
       const auto t = tb::get<hls::triangle_out>(m.m_axis_tdata);
       EXPECT_EQ(t.last, m.m_axis_tlast != 0);
@@ -257,9 +237,9 @@ class edge_engine_bench : public tb::register_bus {
       packets.back().push_back(t);
       packet_over_ = t.last;
     }
-    holds(table_hold_, m.table_write_valid_o, m.table_write_ready_i, words_of_port(m.table_write_word_o), "table_write");
+    table_hold_.look(m.table_write_valid_o, m.table_write_ready_i, m.table_write_word_o, clocks);
     if (m.table_write_valid_o && m.table_write_ready_i) table[{m.table_write_x_o, m.table_write_y_o}] = m.table_write_word_o;
-    holds(normal_hold_, m.normal_write_valid_o, m.normal_write_ready_i, words_of_port(m.normal_write_word_o), "normal_write");
+    normal_hold_.look(m.normal_write_valid_o, m.normal_write_ready_i, m.normal_write_word_o, clocks);
     if (m.normal_write_valid_o && m.normal_write_ready_i) normals[{m.normal_write_x_o, m.normal_write_y_o}] = m.normal_write_word_o;
     ask<table_requests>(table_memory_, m.table_req_valid_o, m.table_req_o, [this](auto const& r) { return table_words(r); });
     const bool wanted = m.quad_req_mask_o != 0;
@@ -305,7 +285,7 @@ class edge_engine_bench : public tb::register_bus {
   int width_ = 0, height_ = 0;
   bool offering_base_ = false, offering_texel_ = false, offering_aw_ = false, offering_w_ = false, offering_ar_ = false;
   bool packet_over_ = false;
-  hold out_hold_, table_hold_, normal_hold_;
+  held_word out_hold_{"m_axis"}, table_hold_{"table_write"}, normal_hold_{"normal_write"};
   memory<table_requests, table_answers> table_memory_;
   memory<tb::quad_request, tb::texel_quad> quad_memory_, place_memory_;
   memory<tb::quad_request, tb::normal_quad> normal_memory_;

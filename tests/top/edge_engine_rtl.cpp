@@ -3,152 +3,15 @@
 // counters of hls::engine. And every error: its code, an end of the packet, and a good mesh after it.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <memory>
-
 #include "Vedge_engine.h"
-#include "tests/support/edge_engine_bench.hpp"
+#include "tests/support/edge_engine_session.hpp"
 
 namespace relievo::test {
 namespace {
 
-using bench_type = edge_engine_bench<Vedge_engine>;
+using session = edge_engine_session<Vedge_engine>;
 using code = tb::edge_engine_code;
 constexpr int max_generation = 6;
-constexpr std::uint64_t patience = 20000;
-
-hls::top::base_triangle base_of(hls::triangle const& t) {
-  hls::top::base_triangle b{};
-  for (int i = 0; i < 3; ++i) {
-    hls::detail::copy(b.v[i].p, t.v[i].p);
-    hls::detail::copy(b.v[i].n, t.v[i].n);
-    hls::detail::copy(b.v[i].t, t.v[i].t);
-    hls::detail::copy(b.v[i].u, t.v[i].u);
-  }
-  b.index = t.index;
-  b.last = t.last;
-  return b;
-}
-
-// Records as words, in an order of their own; which of them is the last depends on time.
-std::vector<std::vector<std::int64_t>> sorted_words(std::vector<hls::triangle_out> const& triangles) {
-  std::vector<std::vector<std::int64_t>> set;
-  for (hls::triangle_out t : triangles) {
-    t.last = false;
-    set.push_back(tb::raw_words(t));
-  }
-  std::sort(set.begin(), set.end());
-  return set;
-}
-
-// The mesh of the first n base triangles.
-engine_scene first_of(engine_scene s, std::size_t n) {
-  s.base.resize(n);
-  if (n != 0) s.base.back().last = true;
-  return s;
-}
-
-hls_run reference(engine_scene const& s) {
-  static const auto engine = std::make_unique<hls::engine<128>>();
-  if (!s.base.empty()) return run_hls(*engine, s);
-  hls_run nothing;
-  hls::triangle_out empty{};
-  empty.empty = empty.last = true;
-  nothing.triangles.push_back(empty);
-  return nothing;
-}
-
-class session {
- public:
-  explicit session(traffic const& t = {0, 0, 1, 1}) : bench(t) {}
-
-  void build_maps(engine_scene const& s) {
-    bench.table.clear();
-    bench.normals.clear();
-    bench.driver.set(s.regs);
-    bench.driver.set(s.normal_regs);
-    std::vector<std::uint16_t> const& words = s.map.words();
-    for (std::size_t i = 0; i < words.size(); ++i) bench.texels.push_back({words[i], i + 1 == words.size()});
-    wait_for_map();
-    expect_maps(s);
-  }
-  void wait_for_map() {
-    for (std::uint64_t i = 0; !bench.texels.empty() || bench.driver.state().map_busy; ++i) {
-      ASSERT_LT(i, patience) << "the map is not done";
-      bench.clock();
-    }
-  }
-  void expect_maps(engine_scene const& s) {
-    ASSERT_EQ(bench.table.size(), s.map.words().size());
-    ASSERT_EQ(bench.normals.size(), s.map.words().size());
-    for (int y = 0; y < s.map.height(); ++y)
-      for (int x = 0; x < s.map.width(); ++x) {
-        const auto i = static_cast<std::size_t>(y * s.map.width() + x);
-        ASSERT_EQ(bench.table[std::make_pair(x, y)], s.map.table().words[i]) << x << ", " << y;
-        ASSERT_EQ(bench.normals[std::make_pair(x, y)], s.normals[i]) << x << ", " << y;
-      }
-  }
-
-  // Registers and start; the packet is the caller's.
-  void begin(engine_scene const& s, std::uint32_t expected) {
-    bench.load(s);
-    bench.packets.clear();
-    bench.driver.set(s.regs);
-    bench.driver.start(expected);
-  }
-  void send(engine_scene const& s) {
-    for (hls::triangle const& t : s.base) bench.base.push_back({base_of(t), t.last});
-  }
-  // The mesh is over: one packet, the triangles and counters of s.
-  void expect_mesh(engine_scene const& s, code wrong) {
-    const tb::edge_engine_state state = bench.driver.wait(patience);
-    ASSERT_TRUE(state.done);
-    ASSERT_EQ(state.code, wrong) << bench.driver.describe(state.code);
-    ASSERT_EQ(state.error, wrong != code::none);
-    const hls_run right = reference(s);
-    ASSERT_EQ(bench.packets.size(), 1u);
-    ASSERT_EQ(sorted_words(bench.packets[0]), sorted_words(right.triangles));
-    counter_list ours = list_of(bench.driver.counters()), theirs = list_of(right.counts);
-    ASSERT_EQ(ours.size(), theirs.size());
-    for (std::size_t i = 0; i < ours.size(); ++i) {
-      // What depends on time.
-      if (ours[i].first == "queue_high_water") {
-        ASSERT_LE(ours[i].second, 128u);
-      } else if (ours[i].first != "fifo_fallbacks") {
-        ASSERT_EQ(ours[i], theirs[i]);
-      }
-    }
-  }
-  void run(engine_scene const& s, bool counted) {
-    build_maps(s);
-    begin(s, counted ? static_cast<std::uint32_t>(s.base.size()) : 0);
-    send(s);
-    expect_mesh(s, code::none);
-    ASSERT_TRUE(bench.idle());
-  }
-  // The text is one line that says what.
-  void expect_line(code wrong, std::string const& part) {
-    try {
-      bench.driver.check(bench.driver.state());
-      FAIL() << "no error, where " << part << " was to be wrong";
-    } catch (tb::edge_engine_error const& e) {
-      const std::string line = e.what();
-      EXPECT_NE(line.find(part), std::string::npos) << line;
-      EXPECT_EQ(line.find('\n'), std::string::npos) << line;
-      EXPECT_EQ(bench.driver.state().code, wrong);
-    }
-  }
-
-  bench_type bench;
-};
-
-// A scene with several base triangles.
-engine_scene good_scene(generator& g) {
-  for (;;) {
-    engine_scene s = random_scene(g, static_cast<int>(g.between(0, 3)));
-    if (s.base.size() >= 3) return s;
-  }
-}
 
 TEST(edge_engine, says_what_it_was_built_with) {
   session it;
@@ -219,6 +82,23 @@ TEST(edge_engine, registers_are_taken_over_at_start) {
     it.expect_mesh(first, code::none);
     ASSERT_FALSE(HasFatalFailure()) << "seed " << seed();
   }
+}
+
+// Not while the last record waits for someone to take it.
+TEST(edge_engine, is_done_when_all_has_left) {
+  generator g("done");
+  session it;
+  engine_scene s = first_of(good_scene(g), 1);
+  s.regs.pass.max_generation = hls::from_raw<formats::generation>(0);
+  it.build_maps(s);
+  it.bench.sink_open = false;
+  it.begin(s, 1);
+  it.send(s);
+  it.bench.clock(1000);
+  const tb::edge_engine_state state = it.bench.driver.state();
+  ASSERT_TRUE(state.busy && !state.done);
+  it.bench.sink_open = true;
+  it.expect_mesh(s, code::none);
 }
 
 // ---- errors: each as a story of its own, on a bench that has run, and that runs a good scene afterwards
@@ -292,27 +172,32 @@ TEST(edge_engine, survives_a_missing_last) {
       it.send(s);
       it.expect_mesh(whole, code::missing_last);
       it.expect_line(code::missing_last, "without last and tlast");
-      for (int i = 0; i < 200; ++i) it.bench.clock();
+      it.bench.clock(200);
       ASSERT_TRUE(it.bench.idle());
       ASSERT_EQ(it.bench.driver.state().swallowing, more == 0);
     });
 }
 
+// The mesh waits for the rest of its packet only where the count says that there is one.
 TEST(edge_engine, survives_last_and_tlast_that_disagree) {
   for (const bool tlast : {true, false})
     for (const bool counted : {true, false})
       for (const std::size_t at : {0, 1, 2})
         tell([&](session& it, engine_scene const& s) {
           it.begin(s, counted ? static_cast<std::uint32_t>(s.base.size()) : 0);
-          for (std::size_t i = 0; i < s.base.size(); ++i) {
+          const auto offer = [&](std::size_t i) {
             hls::top::base_triangle b = base_of(s.base[i]);
             b.last = i == at ? !tlast : false;
             it.bench.base.push_back({b, i == at ? tlast : i + 1 == s.base.size()});
-            if (i == at && tlast) break;
-          }
+          };
+          for (std::size_t i = 0; i <= at; ++i) offer(i);
+          it.bench.clock(5000);
+          ASSERT_EQ(it.bench.driver.state().busy, !tlast && counted && at + 1 < s.base.size());
+          if (!tlast)
+            for (std::size_t i = at + 1; i < s.base.size(); ++i) offer(i);
           it.expect_mesh(first_of(s, at + 1), code::last_disagrees);
           it.expect_line(code::last_disagrees, "only one of last and tlast");
-          for (int i = 0; i < 200; ++i) it.bench.clock();
+          it.bench.clock(200);
           ASSERT_TRUE(it.bench.idle());
         });
 }
@@ -332,6 +217,18 @@ TEST(edge_engine, survives_a_coordinate_outside_the_map) {
           it.expect_line(code::coordinate_outside_map, "after " + std::to_string(at) + " has a texture coordinate outside");
           ASSERT_TRUE(it.bench.idle());
         });
+}
+
+// On the last record by the count, which has no tlast either: nothing more is waited for.
+TEST(edge_engine, survives_a_coordinate_outside_the_map_and_a_missing_last) {
+  tell([](session& it, engine_scene s) {
+    const engine_scene before = first_of(s, s.base.size() - 1);
+    s.base.back().last = false;
+    s.base.back().v[1].u[0] = hls::from_raw<formats::coordinate>(hls::fixed<formats::coordinate>::max_raw);
+    it.begin(s, static_cast<std::uint32_t>(s.base.size()));
+    it.send(s);
+    it.expect_mesh(before, code::coordinate_outside_map);
+  });
 }
 
 TEST(edge_engine, survives_a_start_while_busy) {
