@@ -84,6 +84,23 @@ TEST(edge_engine, registers_are_taken_over_at_start) {
   }
 }
 
+// And those of a map stay while it is built.
+TEST(edge_engine, registers_of_a_map_are_taken_over_with_its_first_texel) {
+  generator g("shadow of a map");
+  session it;
+  const engine_scene s = good_scene(g), other = good_scene(g);
+  it.bench.driver.set(s.regs);
+  it.bench.driver.set(s.normal_regs);
+  std::vector<std::uint16_t> const& words = s.map.words();
+  it.bench.texels.push_back({words[0], words.size() == 1});
+  it.bench.clock(20);
+  it.bench.driver.set(other.regs);
+  it.bench.driver.set(other.normal_regs);
+  for (std::size_t i = 1; i < words.size(); ++i) it.bench.texels.push_back({words[i], i + 1 == words.size()});
+  it.wait_for_map();
+  it.expect_maps(s);
+}
+
 // Not while the last record waits for someone to take it.
 TEST(edge_engine, is_done_when_all_has_left) {
   generator g("done");
