@@ -5,7 +5,7 @@
 //               InFlight       see summed_area_lookup
 //   table [4 r + c] or, with one word each, [r] is of rectangle r: around P1, around P2, around P12
 //
-//   latency 62 + that of the memory, from the last beat on; initiation interval 12/ReadsPerClock, times the passes of summed_area_lookup
+//   latency 63 + that of the memory, from the last beat on; initiation interval 12/ReadsPerClock, times the passes of summed_area_lookup
 //   where rectangles cross wrapped borders. Registered: every stage; no path from a ready input to in_ready_o or to a valid output.
 //
 //   in --[s0: extents]--[bounds]--[FIFO]--[one by one, or three at once]--[summed_area_lookup]-- memory

@@ -7,7 +7,7 @@
 //   out   out_o[]   their sums;  area_o  texels of the last one, clipped or not
 //   table one beat: ReadsPerClock words of each rectangle, its corners in the order (high, high), (low, high), (high, low), (low, low)
 //
-//   latency 47 + that of the memory, from the last beat on; initiation interval 4/ReadsPerClock beats a pass. Passes: 1; 2 for a rectangle
+//   latency 48 + that of the memory, from the last beat on; initiation interval 4/ReadsPerClock beats a pass. Passes: 1; 2 for a rectangle
 //   that crosses a border of an axis that wraps, 4 for both; rectangles side by side count as one that crosses all they cross.
 //   Registered: requests, answers and every stage; no path from a ready input to in_ready_o or to a valid output.
 //
@@ -249,19 +249,23 @@ module summed_area_lookup
   localparam int unsigned SumLatency = 31;
   // A beat is never answered in the clock in which it is laid aside, so no bypass is wanted.
   (* no_rw_check *) beside_t beside_q[InFlight];
-  beside_t                a0_q;
-  table_sum_t [Words-1:0] a0_word_q;
-  logic                   a0_valid_q;
+  beside_t                answer_q, a0_q;  // the first is a memory's, which is slow
+  table_sum_t [Words-1:0] answer_word_q, a0_word_q;
+  logic                   answer_valid_q, a0_valid_q;
   logic [SumLatency-1:0]  result_valid_q;
   always_ff @(posedge clk_i) begin
     if (ask) beside_q[write_place_q] <= beside;
-    if (table_rsp_valid_i) a0_q <= beside_q[read_place_q];
-    a0_word_q <= table_rsp_i;
+    if (table_rsp_valid_i) answer_q <= beside_q[read_place_q];
+    answer_word_q <= table_rsp_i;
+    a0_q      <= answer_q;
+    a0_word_q <= answer_word_q;
     if (!rst_ni) begin
+      answer_valid_q <= 1'b0;
       a0_valid_q <= 1'b0;
       result_valid_q <= '0;
     end else begin
-      a0_valid_q <= table_rsp_valid_i;
+      answer_valid_q <= table_rsp_valid_i;
+      a0_valid_q <= answer_valid_q;
       result_valid_q <= {result_valid_q[SumLatency-2:0], a0_valid_q && a0_q.last};
     end
   end
