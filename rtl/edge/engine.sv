@@ -87,7 +87,9 @@ module engine
   logic [15:0] high_water;
   logic [$clog2(QueueDepth+1)-1:0] unused_count, unused_in_flight;
   logic [63:0] fallbacks;
-  triangle_queue #(.T(triangle_t), .Depth(QueueDepth), .InFlight(FlightDepth)) i_queue (
+  triangle_queue #(
+    .T(triangle_t), .Depth(QueueDepth), .InFlight(FlightDepth), .FifoReserve(QueueDepth / 2)
+  ) i_queue (
     .clk_i,
     .rst_ni(rst_ni && !start_i),
     .regs_i(regs_i.queue),

@@ -17,7 +17,8 @@ module point_between #(
   input  logic [4:0]            k_i,
   output logic [Width+3-Drop:0] y_o
 );
-  localparam int unsigned Sum = Width + 4;  // 16 times what lies between fits, so the parts may be modulo 2^Sum
+  // 16 times what lies between fits, so the parts may be modulo 2^Sum.
+  localparam int unsigned Sum = Width + 4;
 
   logic signed [Width:0]   difference_q;
   logic        [4:0]       k_q;

@@ -2,6 +2,9 @@
 //   contract: hls/edge/triangle_queue.hpp; Doggett & Hirche 2000, section 3, Triangle Queue
 //
 //   parameters  T;  Depth entries, at least 3 max_generation + 4;  InFlight, the most triangles in flight at once
+//               FifoReserve  slack below which fifo mode takes the newest. With 0 it does so only where nothing else is allowed, one
+//               triangle at a time, as the kernel does; with four for every triangle in flight, the queue turns depth first before it
+//               is full, and keeps its pace
 //   in    max_generation_i  M, like regs_i constant from reset, or from four clocks before a base triangle is taken, until idle
 //         push_*            a child of a triangle in flight; one a clock, never refused
 //         retire_i          a triangle in flight is dealt with and its children, four at most, are pushed, the last one in this clock
@@ -15,7 +18,7 @@
 //   latency 3 from a push into an empty queue to pop_valid_o; initiation interval 1: one pop and one push a clock
 //   registered: all outputs; pop_ready_i reaches registers alone
 //
-//   push --[memory]--[read]--[next]--[head]-- pop       lifo: the newest; fifo: the oldest while slack >= 0, else the newest
+//   push --[memory]--[read]--[next]--[head]-- pop       lifo: the newest; fifo: the oldest while slack >= FifoReserve, else the newest
 //
 // The credit rule, with F free entries and k triangles in flight, in numbers as they are at the beginning of a clock:
 //   a pop at any time where   slack = F + 1 - 4 (k + 1) - 3 M >= 0,
@@ -52,6 +55,7 @@ module triangle_queue
   parameter type T = logic [31:0],
   parameter int unsigned Depth = 64,
   parameter int unsigned InFlight = Depth,
+  parameter int unsigned FifoReserve = 0,
   localparam int unsigned CountBits = $clog2(Depth + 1)
 ) (
   input  logic                 clk_i,
@@ -92,11 +96,14 @@ module triangle_queue
   logic                 below_q;  // fewer than InFlight are in flight, whatever happens in a clock
   logic                 idle_q, may_take_q;
   slack_t               slack_q, start_q;
-  logic                 free_running, pop, push, refused;
+  logic                 free_running, oldest, pop, push, refused;
   logic           [1:0] ahead_q;  // triangles read ahead
 
   assign free_running = !slack_q[SlackBits-1];
-  assign pop = count_q != '0 && ahead_q != 2'd3 && (alone_q || (free_running && below_q));
+  assign oldest = regs_i.fifo && slack_q >= slack_t'(FifoReserve);
+  // In fifo mode the two newest places keep their order, so the newest end takes a push or a pop in a clock.
+  assign pop = count_q != '0 && ahead_q != 2'd3 && (alone_q || (free_running && below_q)) &&
+      !(regs_i.fifo && !oldest && push_valid_i);
   assign refused = push_valid_i && count_q == CountBits'(Depth);
   assign push = push_valid_i && !refused;
 
@@ -147,9 +154,9 @@ module triangle_queue
   end
 
   // ---- the places
-  logic   exchanged_q, oldest;
+  logic   exchanged_q;
   place_t low_q, high_q, first_q, read_place, write_place;
-  assign oldest = regs_i.fifo && free_running;
+
   assign write_place = exchanged_q ? low_q : high_q;
   assign read_place = oldest ? first_q : exchanged_q ? high_q : low_q;
   always_ff @(posedge clk_i) begin

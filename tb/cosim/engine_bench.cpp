@@ -25,15 +25,15 @@ std::vector<std::string> engine_variants() {
 
 engine_bench& the_engine_bench(cosim_settings const& settings) {
   static std::unique_ptr<engine_bench> only;
-  static std::string variant;
+  static cosim_settings made;
   if (!only) {
     const auto found = variants().find(settings.variant);
     if (found == variants().end()) throw input_error("the circuit was not built as '" + settings.variant + "'");
     sc_core::sc_report_handler::set_actions(sc_core::SC_INFO, sc_core::SC_DO_NOTHING);
     only = found->second(settings);
-    variant = settings.variant;
+    made = settings;
   }
-  if (variant != settings.variant) throw std::logic_error("SystemC elaborates one bench a process, this one has " + variant);
+  if (!(made == settings)) throw std::logic_error("SystemC elaborates one bench a process, and this one has other settings");
   return *only;
 }
 

@@ -1,14 +1,15 @@
 // engine_bench: the circuit of the edge engine among SystemC modules: a source of base triangles, a sink, memories behind its read ports,
 // a checker on every link, and a watchdog.
 //
-//   engine_bench* bench = the_engine_bench(settings)   one a process (SystemC elaborates once); settings of the first call hold
-//   bench->run(words)                                  one mesh; again and again, with or without a reset between them
-//   Errors: cosim_error when a rule of a link is broken, a memory is asked for what it does not hold, the queue overflows, or nothing
-//   moves for settings.watchdog clocks; its text names the link.
+//   engine_bench* bench = the_engine_bench(settings)   one a process (SystemC elaborates once); other settings in the same process are an
+//   error bench->run(words)                                  one mesh; again and again, with or without a reset between them Errors:
+//   cosim_error when a rule of a link is broken, a memory is asked for what it does not hold, the queue overflows, or nothing moves for
+//   settings.watchdog clocks; its text names the link.
 #pragma once
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,11 @@
 
 namespace relievo::tb {
 
+// A rule of the bench was broken by the circuit: what, where, and at which clock.
+struct cosim_error : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
 struct cosim_settings {
   std::string variant = "default";  // one of engine_variants()
   int idle = 0, stall = 0;          // percent of clocks in which sources rest, sinks and memories refuse
@@ -26,6 +32,11 @@ struct cosim_settings {
   std::uint64_t seed = 1;
   int reset_seed = 1;              // what registers hold before reset
   std::uint64_t watchdog = 20000;  // clocks without a moving word
+
+  bool operator==(cosim_settings const& o) const {
+    return variant == o.variant && idle == o.idle && stall == o.stall && latency_low == o.latency_low && latency_high == o.latency_high &&
+           bursty == o.bursty && seed == o.seed && reset_seed == o.reset_seed && watchdog == o.watchdog;
+  }
 };
 
 // What one mesh needs; all of it outlives the run.
@@ -57,7 +68,7 @@ class engine_bench {
 
 using engine_factory = std::function<std::unique_ptr<engine_bench>(cosim_settings const&)>;
 
-// The bench of this process. Its settings are those of the first call.
+// The bench of this process; std::logic_error when it was made with other settings.
 engine_bench& the_engine_bench(cosim_settings const& settings);
 
 // Engines with other build parameters: each source file that has one adds it under a name (engine_bench_of.hpp).

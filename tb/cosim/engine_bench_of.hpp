@@ -60,7 +60,8 @@ class bench final : public engine_bench {
     scene_ = &scene;
     take_ = out;
     last_seen_ = false;
-    if (reset) {
+    if (reset || !begun_) {
+      begun_ = true;
       wires_.running.write(false);
       advance(8);
       wires_.running.write(true);
@@ -186,6 +187,7 @@ class bench final : public engine_bench {
   map_place place_;
   cosim_scene const* scene_ = nullptr;
   std::function<void(hls::triangle_out const&)> take_;
+  bool begun_ = false;
   bool last_seen_ = false;
   std::uint64_t last_clock_ = 0;
 };

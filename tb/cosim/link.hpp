@@ -6,7 +6,6 @@
 #pragma once
 #include <cstdint>
 #include <ostream>
-#include <stdexcept>
 #include <string>
 #include <systemc>
 
@@ -23,11 +22,6 @@ void sc_trace(sc_core::sc_trace_file*, bits<N> const&, std::string const&) {}
 }  // namespace relievo::hls
 
 namespace relievo::tb {
-
-// A rule of the bench was broken by the circuit: what, where, and at which clock.
-struct cosim_error : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
 
 // What all modules of a bench share. running is the reset, active low. The first failure is kept for the host to throw: an exception that
 // leaves a SystemC process would lose its type.

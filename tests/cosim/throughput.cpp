@@ -1,0 +1,83 @@
+// How many clocks a mesh may take, on the Jacksboro terrain at about 20,000 triangles: an edge a clock and lane where the memories deliver,
+// the clocks of its reads where they don't, fill, queue and drain included. The counts are exact, so they are asserted.
+#include <gtest/gtest.h>
+
+#include "tests/cosim/engines.hpp"
+
+namespace relievo::test {
+namespace {
+
+tb::scene_options jacksboro(bool profile) {
+  tb::scene_options o;
+  o.mesh = "plane:8";
+  o.displacement = RELIEVO_SOURCE_DIR "/tests/data/jacksboro_403x344.png";
+  o.sample_range = tb::sample_range{236, 1076};
+  o.viewport = {1280, 800};
+  o.view_threshold = 1;
+  o.normal_threshold = profile ? 1.2 : 0.89;
+  o.height_threshold = profile ? 80000 : 25000;
+  o.tests.pt = profile;
+  o.profile_threshold = 23;
+  return o;
+}
+
+double ratio(std::uint64_t clocks, double base, char const* of) {
+  const double r = static_cast<double>(clocks) / base;
+  std::printf("%llu clocks, %.4f %s\n", static_cast<unsigned long long>(clocks), r, of);
+  return r;
+}
+
+void paper_tests(char const* variant, int clocks_per_edge, int latency = 1) {
+  tb::cosim_settings s;
+  s.variant = variant;
+  s.latency_low = s.latency_high = latency;
+  const cosim_run r = run_circuit(tb::make_scene(jacksboro(false)), s);
+  EXPECT_GT(r.run.counts.triangles_out, 19000u);
+  EXPECT_LE(ratio(r.circuit.clocks, static_cast<double>(r.run.counts.edge_tests), "an edge test"), 1.10 * clocks_per_edge);
+}
+
+// The clocks that the profiles' samples need: of every edge that gets as far, n + 1 samples, so many a clock, one clock at least.
+double clocks_of_samples(tb::scene const& sc, int samples_per_clock) {
+  double clocks = 0;
+  tb::run_hooks hooks;
+  hooks.traced = [&](golden::edge_trace const& e) {
+    const int samples = e.pt.evaluated && e.intervals != 0 ? e.intervals + 1 : 0;
+    clocks += std::max(1, (samples + samples_per_clock - 1) / samples_per_clock);
+  };
+  tb::make_model("golden", sc)->run(hooks);
+  return clocks;
+}
+
+void profiles(char const* variant, int samples_per_clock) {
+  tb::cosim_settings s;
+  s.variant = variant;
+  const tb::scene sc = tb::make_scene(jacksboro(true));
+  const cosim_run r = run_circuit(sc, s);
+  EXPECT_LE(ratio(r.circuit.clocks, clocks_of_samples(sc, samples_per_clock), "a clock that the samples need"), 1.10);
+}
+
+TEST(throughput, an_edge_a_clock_with_12_reads) { paper_tests("default", 1); }
+
+TEST(throughput, a_memory_latency_of_60_clocks_costs_a_tenth_at_most) { paper_tests("default", 1, 60); }
+
+TEST(throughput, profiles_with_4_samples_a_clock) { profiles("default", 4); }
+
+#if RELIEVO_CAMPAIGN
+TEST(throughput, a_triangle_a_clock_with_three_lanes_and_36_reads) {
+  tb::cosim_settings s;
+  s.variant = "wide";
+  const cosim_run r = run_circuit(tb::make_scene(jacksboro(false)), s);
+  std::uint64_t tested = 0;
+  for (const std::uint64_t n : r.run.counts.splits) tested += n;
+  EXPECT_LE(ratio(r.circuit.clocks, static_cast<double>(tested), "a triangle tested"), 1.15);
+}
+
+TEST(throughput, with_1_read) { paper_tests("narrow", 12); }
+TEST(throughput, with_3_reads) { paper_tests("three", 4); }
+TEST(throughput, with_4_reads) { paper_tests("four", 3); }
+TEST(throughput, profiles_with_1_sample_a_clock) { profiles("narrow", 1); }
+TEST(throughput, profiles_with_16_samples_a_clock) { profiles("four", 16); }
+#endif
+
+}  // namespace
+}  // namespace relievo::test
