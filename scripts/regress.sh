@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # A longer campaign with the same test programs: scripts/regress.sh [--seeds N] [--vectors N]
-#   first the circuit with more build parameters, every scene in the smallest queue, and its throughput with each; then the units under AddressSanitizer and UndefinedBehaviorSanitizer, with few vectors; then
+#   first the circuit with more build parameters: every scene in the smallest queue, and the throughput with each;
+#   then the units under AddressSanitizer and UndefinedBehaviorSanitizer, with few vectors; then
 #   units again with seeds 2..N+1 and so many random vectors each (default 10 seeds, 1,000,000 vectors). Stops at the first failure, whose
 #   seed is printed.
 set -euo pipefail

@@ -4,8 +4,8 @@
 #include <cstdio>
 
 #include "tb/commands/reporting.hpp"
-#include "tb/host/input_error.hpp"
 #include "tb/cosim/rtl_model.hpp"
+#include "tb/host/input_error.hpp"
 
 namespace relievo::tb {
 

@@ -29,10 +29,11 @@ class keep_coverage {
 
  private:
   VerilatedContext& context_;
+
+ public:
 #else
   explicit keep_coverage(VerilatedContext&) {}
 
- public:
 #endif
   keep_coverage(keep_coverage const&) = delete;
   keep_coverage& operator=(keep_coverage const&) = delete;

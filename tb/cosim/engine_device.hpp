@@ -76,6 +76,7 @@ class engine_device : public sc_core::sc_module {
   bool error() const { return model_->error_o != 0; }
   std::vector<std::uint64_t> counters() const {
     std::vector<std::uint64_t> list;
+    list.reserve(hls::top::counter_words);
     for (int i = 0; i < hls::top::counter_words; ++i) list.push_back(get_bits<64>(model_->counters_o, 64 * i, 64).limb[0]);
     return list;
   }
