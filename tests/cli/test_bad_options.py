@@ -5,7 +5,7 @@ from command_line import SMALL, command_line
 
 # Option, value, and what the line has to name when that is not the option.
 BAD = [
-    ("--model", "foo"), ("--model", "rtl"), ("--model", ""), ("--engine", "foo"), ("--engine", "sweep"),
+    ("--model", "foo"), ("--model", "RTL"), ("--model", ""), ("--engine", "foo"), ("--engine", "sweep"),
     ("--mesh", "foo"), ("--mesh", "plane:0"), ("--mesh", "plane:-1"), ("--mesh", "plane:2,2"), ("--mesh", "plane:x"),
     ("--mesh", "plane:99999999999"), ("--mesh", "octahedron:3"), ("--mesh", ""),
     ("--displacement", "foo"), ("--displacement", "sine:0"), ("--displacement", "sine:8193"), ("--displacement", "sine:8,8193"),
@@ -29,6 +29,8 @@ BAD = [
     ("--view-threshold", "-1"), ("--view-threshold", "1e9"), ("--view-threshold", "nan"),
     ("--max-generation", "16"), ("--max-generation", "-1"), ("--max-generation", "2.5"), ("--max-generation", "99999999999"),
     ("--queue", "random"),
+    ("--stall", "100"), ("--stall", "-1"), ("--idle", "100"), ("--idle", "x"), ("--seed", "x"), ("--watchdog", "x"),
+    ("--latency", "0"), ("--latency", "5-2"), ("--latency", "1-20000"), ("--latency", "x"), ("--latency", "3-"),
 ]
 
 
