@@ -19,7 +19,13 @@ tested=$SECONDS
 
 # The scenes again under AddressSanitizer and UndefinedBehaviorSanitizer, and the readers under libFuzzer with both (the units: regress.sh).
 "$root/scripts/build.sh" sanitize system_tests
-"$root/build-sanitize/tests/system_tests" --gtest_brief=1 --gtest_filter='-*jacksboro*:*map_5x8192*:*map_8192x5_clamp*:*ideal_decides*' || status=$?
+shards=()
+for shard in 0 1; do
+  GTEST_TOTAL_SHARDS=2 GTEST_SHARD_INDEX=$shard "$root/build-sanitize/tests/system_tests" --gtest_brief=1 \
+    --gtest_filter='-*jacksboro*:*map_5x8192*:*map_8192x5_clamp*:*ideal_decides*' &
+  shards+=($!)
+done
+for shard in "${shards[@]}"; do wait "$shard" || status=$?; done
 "$root/scripts/build.sh" fuzz fuzz_targets
 ctest --test-dir "$root/build-fuzz" -L fuzz -j2 --output-on-failure || status=$?
 
