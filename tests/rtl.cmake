@@ -1,7 +1,8 @@
 # rtl_<unit>: tests/<tree>/<unit>_rtl.cpp with the Verilated model of rtl/<tree>/<unit>.sv, one program a unit. A new file needs no line here.
 # Variants of a module with other parameters: <unit>_rtl.cpp may begin with lines
 #   // verilate: PREFIX NAME=VALUE ...
-# one a variant; without any there is one model, V<unit>.
+# one a variant; without any there is one model, V<unit>. Models that the build has anyway are named by lines
+#   // model: PREFIX
 file(GLOB rtl_tests CONFIGURE_DEPENDS core/*_rtl.cpp surface/*_rtl.cpp edge/*_rtl.cpp top/*_rtl.cpp)
 foreach(test ${rtl_tests})
   get_filename_component(name ${test} NAME_WE)
@@ -17,10 +18,11 @@ foreach(test ${rtl_tests})
     set(has_registers ON)
   endif()
   file(STRINGS ${test} variants REGEX "^// verilate: ")
-  if(NOT variants)
+  file(STRINGS ${test} models REGEX "^// model: ")
+  if(NOT variants AND NOT models)
     set(variants "// verilate: V${unit}")
   endif()
-  set(models)
+  list(TRANSFORM models REPLACE "^// model: " "model_")
   foreach(variant ${variants})
     string(REPLACE "// verilate: " "" variant ${variant})
     separate_arguments(variant)

@@ -5,51 +5,17 @@
 //   it.expect_line(code, text)      the driver's line for it
 //   first_of(scene, n)              the mesh of its first n base triangles;  good_scene(g) one of three at least
 #pragma once
-#include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "tests/support/edge_engine_bench.hpp"
+#include "tests/support/engine_words.hpp"
 
 namespace relievo::test {
 
 // Clocks, or reads of the state, after which something hangs.
 constexpr std::uint64_t edge_engine_patience = 20000;
-
-inline hls::top::base_triangle base_of(hls::triangle const& t) {
-  hls::top::base_triangle b{};
-  for (int i = 0; i < 3; ++i) {
-    hls::detail::copy(b.v[i].p, t.v[i].p);
-    hls::detail::copy(b.v[i].n, t.v[i].n);
-    hls::detail::copy(b.v[i].t, t.v[i].t);
-    hls::detail::copy(b.v[i].u, t.v[i].u);
-  }
-  b.index = t.index;
-  b.last = t.last;
-  return b;
-}
-
-// Records as words, in an order of their own; which of them is the last depends on time.
-inline std::vector<std::vector<std::int64_t>> sorted_words(std::vector<hls::triangle_out> const& triangles) {
-  std::vector<std::vector<std::int64_t>> set;
-  for (hls::triangle_out t : triangles) {
-    t.last = false;
-    set.push_back(tb::raw_words(t));
-  }
-  std::sort(set.begin(), set.end());
-  return set;
-}
-
-// The same records in any order; else the first that only one of them has.
-inline void expect_same_set(std::vector<hls::triangle_out> const& rtl, std::vector<hls::triangle_out> const& kernel) {
-  const auto a = sorted_words(rtl), b = sorted_words(kernel);
-  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
-    for (std::size_t k = 0; k < a[i].size(); ++k)
-      ASSERT_EQ(a[i][k], b[i][k]) << "record " << i << " of the sorted ones, " << tb::layout<hls::triangle_out>()[k].name
-                                  << ": rtl against hls";
-  ASSERT_EQ(a.size(), b.size()) << "records, rtl against hls";
-}
 
 // The mesh of the first n base triangles.
 inline engine_scene first_of(engine_scene s, std::size_t n) {
