@@ -1,7 +1,8 @@
 // relievo: the command line. Exit codes:
 //
 //   0   done
-//   1   a comparison or a check failed; what failed is on stdout
+//   1   a comparison or a check failed, those of the bench around the circuit too (it hangs, breaks a handshake, reads beside a map); what
+//       failed is on stdout
 //   2   the input or the command line is unusable, or the machine has not the memory or the place that they need
 //   3   a fault of relievo itself (an exception that no one expected)
 //
@@ -66,6 +67,9 @@ int main(int argc, char** argv) {
     return refuse(2, e.what());
   } catch (input_error const& e) {
     return refuse(2, e.what());
+  } catch (cosim_error const& e) {
+    std::printf("rtl: %s\n", e.what());
+    return 1;
   } catch (std::bad_alloc const&) {
     return refuse(2, "out of memory; a smaller map or fewer generations are needed");
   } catch (std::exception const& e) {

@@ -12,6 +12,7 @@
 #include "tb/commands/reporting.hpp"
 #include "tb/commands/rtl_arguments.hpp"
 #include "tb/commands/scene_arguments.hpp"
+#include "tb/commands/told_difference.hpp"
 #include "tb/host/input_error.hpp"
 
 namespace relievo::tb {
@@ -92,16 +93,19 @@ command add_compare(CLI::App& app) {
   const auto a = std::make_shared<arguments>();
   app.add_option("--models", a->models, "two or more of golden,hls,rtl")->capture_default_str();
   a->scene.add_to(app);
+  a->scene.add_base_triangle(app);
   a->rtl.add_to(app);
   a->out.add_to(app);
   app.add_flag("--rate", a->rate, "measure the models' rates too")->group("Output");
   app.add_flag("--decisions", a->decisions, "let the ideal model decide every edge of the golden run again, and print the differences")
       ->group("Output");
   app.footer("Example: relievo compare --mesh sphere:8 --displacement sine --models golden,hls\nExit code 1 when a word differs.");
-  return [a] {
+  CLI::App const* self = &app;
+  return [a, self] {
     const std::vector<std::string> names = split_names(a->models);
     a->out.check(names.back());
     a->rtl.apply();
+    a->scene.check_measure(a->out.measure);
     const scene sc = a->scene.make();
     std::vector<run_result> runs;
     for (std::string const& name : names) {
@@ -137,22 +141,27 @@ command add_compare(CLI::App& app) {
       report["decisions"] = to_json(summary);
     }
     bool equal = true;
-    std::string text, first_difference;
+    std::string text;
+    told first;
     for (std::size_t i = 1; i < names.size(); ++i) {
-      const comparison c = compare_runs(names.front(), runs.front(), names[i], runs[i], names.front() != "rtl" && names[i] != "rtl");
+      const auto held_against = [&](run_result const& x, run_result const& y) {
+        return compare_runs(names.front(), x, names[i], y, x.in_order && y.in_order);
+      };
+      const comparison c = held_against(runs.front(), runs[i]);
       equal = equal && c.equal();
       text += names[i] + (c.equal() ? " = " : " != ") + names.front() + ": " + grouped(c.triangles) + " triangles, " +
               grouped(c.words_different) + " words differ\n";
-      if (first_difference.empty()) first_difference = c.first_difference;
       for (std::string const& line : c.counters_different) text += "  counter " + line + "\n";
+      if (first.text.empty() && !c.first_difference.empty())
+        first = told_difference(c, sc, *self, "--base-triangle",
+                                [&](scene const& one) { return held_against(run_model(names.front(), one), run_model(names[i], one)); });
       report["words_different"][names[i]] = c.words_different;
     }
     report["equal"] = equal;
-    if (!first_difference.empty()) report["first_difference"] = first_difference;
+    if (!first.text.empty()) report["first_difference"] = first.json;
     write_outputs(a->out, runs.back(), sc);
     write_report(a->out, report);
-    std::printf("%s", text.c_str());
-    if (!first_difference.empty()) std::printf("first difference: %s\n", first_difference.c_str());
+    std::printf("%s%s", text.c_str(), first.text.c_str());
     return equal ? 0 : 1;
   };
 }

@@ -9,7 +9,7 @@
 
 namespace relievo::tb {
 
-void rtl_arguments::add_to(CLI::App& app) {
+void rtl_arguments::add_to(CLI::App& app, bool with_seed) {
   app.add_option("--stall", settings_.stall, "rtl: percent of clocks in which sinks and memories refuse a word, 0..99")
       ->group("Circuit")
       ->capture_default_str();
@@ -18,9 +18,10 @@ void rtl_arguments::add_to(CLI::App& app) {
       ->capture_default_str();
   app.add_option("--latency", latency_, "rtl: N|LO-HI clocks of the memories, 1..10000; default 1")->group("Circuit");
   app.add_flag("--bursty", settings_.bursty, "rtl: the memories answer in bursts")->group("Circuit");
-  app.add_option("--seed", settings_.seed, "rtl: of stalls, latencies and what registers hold before reset")
-      ->group("Circuit")
-      ->capture_default_str();
+  if (with_seed)
+    app.add_option("--seed", settings_.seed, "rtl: of stalls, latencies and what registers hold before reset")
+        ->group("Circuit")
+        ->capture_default_str();
   app.add_option("--watchdog", settings_.watchdog, "rtl: clocks without a moving word that end the run")
       ->group("Circuit")
       ->capture_default_str();

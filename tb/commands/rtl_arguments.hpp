@@ -12,7 +12,9 @@ namespace relievo::tb {
 
 class rtl_arguments {
  public:
-  void add_to(CLI::App& app);
+  // with_seed: false where the command has a --seed of its own, which set_seed hands on.
+  void add_to(CLI::App& app, bool with_seed = true);
+  void set_seed(std::uint64_t seed) { settings_.seed = seed; }
   // Hands the options to the bench; input_error names what is wrong.
   void apply() const;
 

@@ -45,6 +45,15 @@ void scene_arguments::add_to(CLI::App& app) {
   app.add_flag("--cull", options_.cull, "drop triangles whose displaced normals all point away from the eye")->group("Edge engine");
 }
 
+void scene_arguments::add_base_triangle(CLI::App& app) {
+  app.add_option("--base-triangle", base_triangle_, "N: this base triangle alone, counted from 0, with the registers of the whole scene")
+      ->group("Scene");
+}
+
+void scene_arguments::check_measure(bool measure) const {
+  if (measure && base_triangle_) throw input_error("--measure-error: measures the surface of the whole mesh; leave out --base-triangle");
+}
+
 scene_options scene_arguments::options() const {
   if (engine_ != "edge") throw input_error("--engine: '" + engine_ + "' is no engine here; known is edge");
   scene_options o = options_;
@@ -64,6 +73,7 @@ scene_options scene_arguments::options() const {
   o.height_threshold = height_threshold_;
   o.profile_threshold = profile_threshold_;
   o.max_generation = max_generation_;
+  o.base_triangle = base_triangle_;
   return o;
 }
 

@@ -12,8 +12,11 @@ namespace relievo::tb {
 
 class scene_arguments {
  public:
-  // `with_mesh`: false where the mesh is the command's own argument and --mesh would be the base.
   void add_to(CLI::App& app);
+  // --base-triangle, for commands that can run one alone.
+  void add_base_triangle(CLI::App& app);
+  // input_error when the whole surface is to be measured and one base triangle was asked for.
+  void check_measure(bool measure) const;
   // The options as given; errors name the option.
   scene_options options() const;
   // The scene, its warnings printed to stderr.
@@ -23,7 +26,7 @@ class scene_arguments {
   scene_options options_;
   std::optional<std::string> sample_range_, texel_size_, address_, eye_, at_, up_, viewport_, tests_, height_mode_, half_vector_, queue_;
   std::optional<double> near_, far_, height_threshold_, profile_threshold_;
-  std::optional<int> max_generation_;
+  std::optional<int> max_generation_, base_triangle_;
   std::string engine_ = "edge";
 };
 

@@ -20,6 +20,7 @@ command add_tessellate(CLI::App& app) {
   const auto a = std::make_shared<arguments>();
   app.add_option("--model", a->model, "ideal|golden|hls|rtl")->capture_default_str();
   a->scene.add_to(app);
+  a->scene.add_base_triangle(app);
   a->rtl.add_to(app);
   a->out.add_to(app);
   app.add_option("--vectors", a->vectors, "OUT.vec: the scene and its output as raw words, for replay")->group("Output");
@@ -30,6 +31,7 @@ command add_tessellate(CLI::App& app) {
       throw input_error("--vectors: the ideal model's output has no raw words; take golden or hls");
     a->out.check(a->model, {a->vectors});
     a->rtl.apply();
+    a->scene.check_measure(a->out.measure);
     const scene sc = a->scene.make();
     run_hooks hooks;
     hooks.progress = progress_hook(a->model, sc);

@@ -124,6 +124,7 @@ std::string to_text(unit_vectors const& v) {
   std::ostringstream head;
   head << "relievo-vectors 1\nunit " << v.unit << "\nformats " << std::hex << format_hash() << std::dec << "\nseed " << v.seed << "\n";
   std::string text = head.str();
+  if (!v.in_order) text += "order free\n";
   append(text, "regs", v.regs, l.regs);
   const bool engine = v.unit == "engine";
   if (engine) append(text, "normal_map", v.normal_map, l.normal_map);
@@ -150,7 +151,13 @@ unit_vectors parse_vectors(std::string_view text, std::string const& name) {
   if (p.number(16) != format_hash()) p.fail("recorded with another table of formats; record it again");
   if (!p.next() || p.key() != "seed") p.fail("'seed N' is missing");
   v.seed = p.number(10);
-  if (!p.next() || p.key() != "regs") p.fail("'regs WORDS' is missing");
+  bool more = p.next();
+  if (more && p.key() == "order" && v.unit == "engine") {
+    if (p.word() != "free") p.fail("'order' can only be 'free'");
+    v.in_order = false;
+    more = p.next();
+  }
+  if (!more || p.key() != "regs") p.fail("'regs WORDS' is missing");
   v.regs = p.record(l.regs);
   std::vector<field> row;
   std::size_t rows = 0;
@@ -216,6 +223,7 @@ unit_vectors record_unit(pure_unit const& unit, std::size_t count, std::uint64_t
 void write_engine_vectors(std::string const& path, scene const& sc, run_result const& run) {
   unit_vectors v;
   v.unit = "engine";
+  v.in_order = run.in_order;
   bool exact = true;
   v.regs = golden_words<hls::engine_regs>(sc.regs, exact);
   v.normal_map = golden_words<hls::normal_map_regs>(sc.normal_map, exact);
@@ -260,6 +268,18 @@ scene scene_of(unit_vectors const& v, std::string const& name) {
   }
   sc.triangles.back().last = true;
   return sc;
+}
+
+run_result run_of(unit_vectors const& v) {
+  run_result run;
+  run.in_order = v.in_order;
+  for (words const& w : v.out) {
+    hls::triangle_out t;
+    set_raw_words(t, w);
+    run.triangles.emplace_back();
+    to_golden(t, run.triangles.back());
+  }
+  return run;
 }
 
 }  // namespace relievo::tb

@@ -4,6 +4,7 @@
 //   unit NAME            a unit of tb/model/units.hpp, or engine
 //   formats HASH         of the format table they were recorded with: another table cannot run them
 //   seed N
+//   order free           engine, only where the outputs are not in golden's order: the circuit's
 //   regs WORDS           one line; for the engine then: normal_map WORDS, and a texels line per row of the map from v = 0
 //   i WORDS / o WORDS    inputs and expected outputs in order; a unit has one o after each i, the engine all i, then all o
 //
@@ -24,6 +25,7 @@ struct unit_vectors {
   using words = std::vector<std::int64_t>;
   std::string unit;
   std::uint64_t seed = 0;
+  bool in_order = true;
   words regs, normal_map;
   std::vector<words> texels;  // engine: rows of the map
   std::vector<words> in, out;
@@ -41,5 +43,7 @@ unit_vectors record_unit(pure_unit const& unit, std::size_t count, std::uint64_t
 void write_engine_vectors(std::string const& path, scene const& sc, run_result const& run);
 // The scene that engine vectors hold: registers, map and base triangles; nothing for people.
 scene scene_of(unit_vectors const& v, std::string const& name);
+// And the output that they hold, without counters.
+run_result run_of(unit_vectors const& v);
 
 }  // namespace relievo::tb

@@ -55,6 +55,7 @@ class rtl_model : public model {
                             reset_between(), abort_after());
     return words_.counters(last_result().counters);
   }
+  bool in_order() const override { return false; }
 
  private:
   hls_words words_;

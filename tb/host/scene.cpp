@@ -248,6 +248,17 @@ scene make_scene(scene_options const& options, mesh base, displacement_map map) 
   set_normal_map(sc, extremes);
   set_camera(sc, h);
   set_tests(sc, extremes);
+  return options.base_triangle ? only_base_triangle(std::move(sc), *options.base_triangle) : sc;
+}
+
+scene only_base_triangle(scene sc, int index) {
+  const auto count = sc.triangles.size();
+  if (index < 0 || static_cast<std::size_t>(index) >= count)
+    throw input_error("--base-triangle: " + std::to_string(index) + " is not within 0.." + std::to_string(count - 1) +
+                      ", the base triangles of " + sc.options.mesh);
+  sc.options.base_triangle = index;
+  sc.triangles = {sc.triangles[static_cast<std::size_t>(index)]};
+  sc.triangles.front().last = true;
   return sc;
 }
 

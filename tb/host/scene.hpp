@@ -30,7 +30,7 @@ struct scene {
   glm::dvec3 centre{0.0};
   glm::dvec2 texel_size{1.0};  // world units
 
-  std::vector<golden::triangle> triangles;  // engine units, quantised; the last one carries `last`
+  std::vector<golden::triangle> triangles;  // engine units, quantised; the last one carries `last`; all, or options.base_triangle
   golden::engine_regs regs;
   golden::normal_map_regs normal_map;
   std::vector<std::string> warnings;  // for stderr: one line each
@@ -52,5 +52,8 @@ scene make_scene(scene_options const& options);
 
 // The same from a mesh and a map that are already there (options.mesh and options.displacement are names for messages).
 scene make_scene(scene_options const& options, mesh base, displacement_map map);
+
+// The same scene with one of its base triangles alone. input_error, naming --base-triangle, when it has no such triangle.
+scene only_base_triangle(scene sc, int index);
 
 }  // namespace relievo::tb

@@ -40,6 +40,8 @@ struct scene_options {
   std::optional<int> max_generation;        // default ceil(log2(longest base edge in texels)) + 1, at most 15
   bool fifo = false;
   bool cull = false;
+
+  std::optional<int> base_triangle;  // this one alone goes into the models, with the registers of the whole mesh
 };
 
 // Texts of the command line; `option` stands in the message of the input_error.

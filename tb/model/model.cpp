@@ -132,6 +132,7 @@ run_result run_model(std::string const& name, scene const& sc, run_hooks hooks) 
   };
   const auto start = std::chrono::steady_clock::now();
   result.counts = m->run(hooks);
+  result.in_order = m->in_order();
   result.seconds = seconds_since(start);
   return result;
 }

@@ -30,6 +30,8 @@ class model {
  public:
   virtual ~model() = default;
   virtual golden::counters run(run_hooks const& hooks) = 0;
+  // Whether triangles come in golden's order.
+  virtual bool in_order() const { return true; }
 };
 
 // A model with the scene's maps built and ready to run, any number of times. The scene must outlive it.
@@ -49,6 +51,7 @@ struct run_result {
   golden::counters counts;
   std::vector<golden::triangle_out> triangles;  // without the empty record
   double seconds = 0.0;                         // of a run that keeps its output
+  bool in_order = true;                         // golden's order
 };
 run_result run_model(std::string const& name, scene const& sc, run_hooks hooks = {});
 

@@ -1,6 +1,7 @@
 #include "tb/model/units.hpp"
 
 #include "golden/core/normalize.hpp"
+#include "golden/core/quotient.hpp"
 #include "golden/edge/calculate_new_n.hpp"
 #include "golden/edge/calculate_new_p.hpp"
 #include "golden/edge/calculate_new_u.hpp"
@@ -13,6 +14,7 @@
 #include "golden/surface/displace.hpp"
 #include "golden/surface/transform.hpp"
 #include "golden/surface/transform_normal.hpp"
+#include "hls/core/divide.hpp"
 #include "hls/edge/calculate_new_n.hpp"
 #include "hls/edge/calculate_new_u.hpp"
 #include "hls/edge/highlight_test.hpp"
@@ -24,6 +26,7 @@
 #include "hls/surface/displace.hpp"
 #include "hls/surface/transform.hpp"
 #include "hls/surface/transform_normal.hpp"
+#include "hls/top/top.hpp"
 
 namespace relievo::tb {
 
@@ -78,8 +81,33 @@ pure_unit make_unit_without_regs(char const* name, HlsFunction hls_function, Gol
       [golden_function](GIn const& in, no_regs const&) { return golden_function(in); });
 }
 
+// The divider of hls/top; golden has the quotient alone, and what lies beyond every quotient where the denominator is zero.
+struct golden_divide_in {
+  double numerator = 0, denominator = 0;
+  RELIEVO_FIELDS(numerator, denominator)
+};
+struct golden_divide_out {
+  double quotient = 0;
+  bool clipped = false;
+  RELIEVO_FIELDS(quotient, clipped)
+};
+hls::top::divide_out divide_in_hls(hls::top::divide_in const& in) {
+  hls::top::divide_out out{};
+  out.quotient = hls::divide<formats::screen>(in.numerator, in.denominator, out.clipped);
+  return out;
+}
+golden_divide_out divide_in_golden(golden_divide_in const& in) {
+  golden_divide_out out;
+  if (in.denominator == 0)
+    out.quotient = rounded::at<formats::screen>(in.numerator < 0 ? -1e9 : 1e9, out.clipped);
+  else
+    out.quotient = golden::quotient<rounded, formats::screen, formats::depth::width>(in.numerator, in.denominator, out.clipped);
+  return out;
+}
+
 std::vector<pure_unit> make_units() {
   std::vector<pure_unit> units;
+  units.push_back(make_unit_without_regs<hls::top::divide_in, golden_divide_in>("divide", divide_in_hls, divide_in_golden));
   units.push_back(make_unit_without_regs<hls::normalize_in, golden::normalize_in>(
       "normalize", [](auto const& in) { return hls::normalize(in); }, [](auto const& in) { return golden::normalize<rounded>(in); }));
   units.push_back(make_unit<hls::displace_in, hls::displace_regs, golden::displace_in, golden::displace_regs>(

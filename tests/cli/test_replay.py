@@ -1,5 +1,8 @@
 """Recorded vectors: they run again, a changed word is found and named, a damaged file is refused."""
+import os
 import re
+import shlex
+import subprocess
 import unittest
 
 from command_line import SMALL, command_line
@@ -20,9 +23,26 @@ class replay(command_line):
         return "\n".join(lines) + "\n"
 
     def test_every_model_says_the_same(self):
-        for model in ("golden", "hls"):
+        for model in ("golden", "hls", "rtl"):
             out, _ = self.done("replay", "good.vec", "--model", model)
             self.assertRegex(out, r"engine: [\d,]+ records, 0 differ")
+
+    def test_what_the_circuit_put_out_runs_again(self):
+        # Its triangles overtake each other, which the file says.
+        self.done("tessellate", *SMALL, "--model", "rtl", "--vectors", "rtl.vec")
+        self.assertNotEqual(self.bytes_of("rtl.vec").decode().replace("order free\n", ""), self.good)
+        for model in ("golden", "hls", "rtl"):
+            self.assertIn("0 differ", self.done("replay", "rtl.vec", "--model", model)[0])
+        self.done("replay", "good.vec", "--model", "rtl", "--stall", "40", "--idle", "30", "--latency", "1-50", "--seed", "3")
+
+    def test_one_base_triangle_alone(self):
+        out, _ = self.done("replay", "good.vec")
+        everything = int(re.search(r"engine: ([\d,]+) records", out).group(1).replace(",", ""))
+        alone = [self.done("replay", "good.vec", "--only", str(i), "--model", model)[0] for i in range(8) for model in ("hls", "rtl")]
+        counts = [int(re.search(r"engine: (\d+) records, 0 differ", out).group(1)) for out in alone]
+        self.assertEqual(sum(counts), 2 * everything)
+        for number in ("8", "-1", "x"):
+            self.refused("replay", "good.vec", "--only=" + number, names="--only")
 
     def test_a_tampered_word_is_found_and_its_field_named(self):
         def tamper(line):
@@ -32,15 +52,55 @@ class replay(command_line):
 
         record = 3
         self.put("bad.vec", self.changed(self.lines("o")[record], tamper))
-        for model in ("golden", "hls"):
+        for model in ("golden", "hls", "rtl"):
             out, _ = self.run_to(1, "replay", "bad.vec", "--model", model)
-            self.assertIn(f"record {record}, field v[0].p[0]:", out)
-            self.assertIn("1 differ", out)
+            self.assertRegex(out, rf"triangle {record} of recorded \(base triangle \d, path [0-3]+\), unit calculate_new_p, field v\[0\].p\[0\]: recorded "
+                                  rf"0x[0-9a-f]+ \([^)]+\), {model} 0x[0-9a-f]+ \([^)]+\); 1 of its 69 words differ")
+            self.assertIn(" 1 differ", out)
+            # The command that it names runs that base triangle alone and finds the same.
+            command = shlex.split(re.search(r"^replay: (.*)$", out, re.MULTILINE).group(1))
+            self.assertEqual(command[-2], "--only")
+            again, _ = self.run_to(1, *command[1:])
+            self.assertEqual(re.search(r"path.*", again).group(), re.search(r"path.*", out).group())
 
     def test_a_missing_record_is_found(self):
         self.put("bad.vec", self.changed(self.lines("o")[-1], lambda line: "").rstrip() + "\n")
-        out, _ = self.run_to(1, "replay", "bad.vec")
-        self.assertRegex(out, r"recorded, [\d,]+ put out")
+        for model in ("hls", "rtl"):
+            out, _ = self.run_to(1, "replay", "bad.vec", "--model", model)
+            self.assertRegex(out, r"base triangle 7, path [0-3]+\), unit pass_or_tessellate: recorded has no such triangle")
+
+    def test_a_circuit_that_hangs_has_failed_a_check(self):
+        for command in (["replay", "good.vec"], ["tessellate", *SMALL, "--report", "out.json"]):
+            out, err = self.run_to(1, *command, "--model", "rtl", "--latency", "1000", "--watchdog", "100")
+            self.assertRegex(out, r"rtl: nothing moved for \d+ clocks;.*normal map requests: idle after")
+            self.assertEqual(err, "")
+        self.assertNotIn("out.json", self.all_files())
+
+    def test_units_replay_through_their_circuits(self):
+        program = os.environ.get("RELIEVO_UNITS_RTL")
+        units = re.search(r"known are (.*)", self.refused("replay", "unit.vec", "--record", "no-such-unit", names="--record")).group(1).split(", ")
+        for unit in units:
+            with self.subTest(unit=unit):
+                self.done("replay", "unit.vec", "--record", unit, "--count", "2000", "--seed", "5")
+                # The command line itself has the engine alone, and says who has the units.
+                self.refused("replay", "unit.vec", "--model", "rtl", names=["rtl", "relievo_units_rtl"])
+                if program:
+                    run = subprocess.run([program, "replay", "unit.vec", "--model", "rtl"], cwd=self.folder, capture_output=True, text=True)
+                    self.assertEqual((run.returncode, run.stdout), (0, f"{unit}: 2,000 records, 0 differ (rtl, seed 5)\n"))
+                    tampered = self.bytes_of("unit.vec").decode().splitlines()
+                    at = [i for i, line in enumerate(tampered) if line.startswith("o ")][1234]
+                    words = tampered[at].split()
+                    words[1] = format(int(words[1], 16) ^ 1, "x")
+                    tampered[at] = " ".join(words)
+                    self.put("unit.vec", "\n".join(tampered) + "\n")
+                    run = subprocess.run([program, "replay", "unit.vec", "--model", "rtl"], cwd=self.folder, capture_output=True, text=True)
+                    self.assertEqual(run.returncode, 1)
+                    self.assertIn(f"first difference: record 1234, unit {unit}, field ", run.stdout)
+                    command = shlex.split(re.search(r"^replay: (.*)$", run.stdout, re.MULTILINE).group(1))
+                    self.assertEqual(command[-2:], ["--only", "1234"])
+                    again = subprocess.run(command, cwd=self.folder, capture_output=True, text=True)
+                    self.assertEqual(again.returncode, 1)
+                    self.assertIn(run.stdout.splitlines()[0], again.stdout)
 
     def test_units_record_and_replay(self):
         err = self.refused("replay", "unit.vec", "--record", "no-such-unit", names="--record")
@@ -76,6 +136,7 @@ class replay(command_line):
             ("no hex", self.changed(out, lambda line: "o zz" + line[line.index(" ", 2):]), "zz"),
             ("a row of the map missing", self.changed(texels, lambda line: "").replace("\n\n", "\n"), "line"),
             ("map without a size", self.changed(regs, lambda line: "regs 0" + line[line.index(" ", 5):]), "map size"),
+            ("an order that is none", self.good.replace("seed 0\n", "seed 0\norder any\n", 1), "order"),
             ("lines out of order", self.good + self.good.splitlines()[texels] + "\n", "texels"),
             ("UTF-16", self.good[:400].encode("utf-16"), "line 1"),
             ("windows line ends", self.good.replace("\n", "\r\n"), "line 1"),
@@ -86,7 +147,7 @@ class replay(command_line):
                 self.refused("replay", "bad.vec", names=["bad.vec", named])
 
     def test_a_model_or_a_file_that_is_not_there(self):
-        for model in ("ideal", "rtl", "foo", ""):
+        for model in ("ideal", "foo", ""):
             self.refused("replay", "good.vec", "--model", model, names="--model")
         self.refused("replay", "missing.vec", names="missing.vec")
 
