@@ -7,13 +7,14 @@ SCENE = ["--mesh", "--displacement", "--scale", "--bias", "--sample-range", "--t
          "--near", "--far", "--viewport"]
 EDGE = ["--tests", "--normal-threshold", "--height-threshold", "--height-mode", "--profile-threshold", "--highlight-threshold",
         "--half-vector", "--view-threshold", "--max-generation", "--queue", "--cull"]
+CIRCUIT = ["--stall", "--idle", "--latency", "--seed"]
 OUTPUT = ["-o", "--raw", "--report", "--image", "--wireframe"]
 OPTIONS = {
-    ("tessellate",): ["--engine", "--model", "--vectors"] + SCENE + EDGE + OUTPUT,
-    ("compare",): ["--models"] + SCENE + EDGE + OUTPUT,
+    ("tessellate",): ["--engine", "--model", "--vectors", "--base-triangle"] + CIRCUIT + SCENE + EDGE + OUTPUT,
+    ("compare",): ["--models", "--base-triangle"] + CIRCUIT + SCENE + EDGE + OUTPUT,
     ("check",): ["MESH", "--base", "--model", "--report"] + SCENE + EDGE,
     ("error",): ["MESH", "--report"] + SCENE + EDGE,
-    ("replay",): ["FILE", "--model"],
+    ("replay",): ["FILE", "--model", "--only"] + CIRCUIT,
     ("bench",): ["--report"] + SCENE + EDGE,
     ("map",): ["info", "sat", "normals", "generate"],
     ("map", "info"): ["FILE", "--sample-range"],
