@@ -3,7 +3,9 @@
 //   out   y_o  x_i of Stages clocks ago
 //
 //   latency Stages, initiation interval 1; no reset. Short delays are shift registers; longer ones a small memory written and read at
-//   one place a clock, which costs memory cells instead of registers and next to nothing in simulation.
+//   one place a clock, which costs memory cells instead of registers and next to nothing in simulation. What is too long for the small
+//   memories of an FPGA lies in a block memory: read a place before it is written, as such a memory does not promise what it reads of
+//   one that is being written; and with a register behind it, as its output is slow.
 module delay #(
   parameter type T = logic,
   parameter int unsigned Stages = 1
@@ -23,7 +25,7 @@ module delay #(
       for (int i = 1; i < Stages; i++) stage_q[i] <= stage_q[i-1];
     end
     assign y_o = stage_q[Stages-1];
-  end else begin : gen_memory
+  end else if (Stages < 18) begin : gen_memory
     localparam int unsigned Depth = Stages - 1;
     localparam int unsigned Bits = $clog2(Depth);
     T memory_q [Depth];
@@ -33,6 +35,20 @@ module delay #(
       place_q <= place_q >= Bits'(Depth - 1) ? '0 : place_q + Bits'(1);
       memory_q[place_q] <= x_i;
       y_o <= memory_q[place_q];
+    end
+  end else begin : gen_block
+    localparam int unsigned Depth = Stages - 1;
+    localparam int unsigned Bits = $clog2(Depth);
+    (* no_rw_check *) T memory_q [Depth];
+    T read_q;
+    logic [Bits-1:0] read_place_q = '0;
+    logic [Bits-1:0] write_place_q = Bits'(Depth - 1);
+    always_ff @(posedge clk_i) begin
+      read_place_q <= read_place_q >= Bits'(Depth - 1) ? '0 : read_place_q + Bits'(1);
+      write_place_q <= read_place_q;
+      memory_q[write_place_q] <= x_i;
+      read_q <= memory_q[read_place_q];
+      y_o <= read_q;
     end
   end
 endmodule

@@ -5,9 +5,10 @@
 //         count_o  words held, of 0..Depth
 //
 //   latency 3, initiation interval 1; all outputs registered: no path from out_ready_i to in_ready_o, none from in_valid_i to out_valid_o.
-//   The words lie in a memory with a registered read port; with the port's register three words wait behind it, so that a word can
-//   leave every clock although a read does not look at out_ready_i: next is free when read_q moves on, or read_q holds its word.
-//   memory -> read_q -> next -> head -> out, next passed by when it is empty
+//   The words lie in a memory with a registered read port. What it puts out goes into the head's register and nowhere else: a block
+//   memory's output is slow. So that a word can leave every clock, the word behind the head moves on, and the next one is read, in the
+//   clock in which the head leaves; out_ready_i enables those registers and the read port.
+//   memory -> read_q -> head_q -> out
 module stream_fifo #(
   parameter type T = logic,
   parameter int unsigned Depth = 4,
@@ -33,20 +34,20 @@ module stream_fifo #(
   logic [PlaceBits-1:0] write_place_q, read_place_q;
   logic [CountBits-1:0] count_q;    // words held in all
   logic [CountBits-1:0] stored_q;   // words in the memory that have not been read
-  T head_q, next_q;
-  logic head_valid_q, next_valid_q;
+  T head_q;
+  logic head_valid_q;
 
   function automatic logic [PlaceBits-1:0] after(logic [PlaceBits-1:0] place);
     return place == PlaceBits'(Depth - 1) ? '0 : place + PlaceBits'(1);
   endfunction
 
-  logic write, leave, move, read;
+  logic write, leave, follow, read;
   assign in_ready_o = count_q != CountBits'(Depth);
   assign write = in_valid_i && in_ready_o;
   assign leave = head_valid_q && out_ready_i;
-  // read_q moves on unless head and next are both taken, whatever leaves; a read needs it free or moving.
-  assign move = read_valid_q && !(head_valid_q && next_valid_q);
-  assign read = stored_q != '0 && (!read_valid_q || move);
+  // The head is free for the word behind it; a read needs read_q free, or moving on.
+  assign follow = leave || !head_valid_q;
+  assign read = stored_q != '0 && (follow || !read_valid_q);
 
   assign out_valid_o = head_valid_q;
   assign out_o = head_q;
@@ -55,16 +56,7 @@ module stream_fifo #(
   always_ff @(posedge clk_i) begin
     if (write) memory_q[write_place_q] <= in_i;
     if (read) read_q <= memory_q[read_place_q];
-  end
-
-  // Where the word of read_q goes: to the head when that is free or leaving and nothing waits before it, else to next.
-  always_ff @(posedge clk_i) begin
-    if (leave || !head_valid_q) begin
-      head_q <= next_valid_q ? next_q : read_q;
-      next_q <= read_q;
-    end else if (!next_valid_q) begin
-      next_q <= read_q;
-    end
+    if (follow) head_q <= read_q;
   end
 
   always_ff @(posedge clk_i) begin
@@ -75,19 +67,13 @@ module stream_fifo #(
       stored_q <= '0;
       read_valid_q <= 1'b0;
       head_valid_q <= 1'b0;
-      next_valid_q <= 1'b0;
     end else begin
       if (write) write_place_q <= after(write_place_q);
       if (read) read_place_q <= after(read_place_q);
       count_q <= count_q + CountBits'(write) - CountBits'(leave);
       stored_q <= stored_q + CountBits'(write) - CountBits'(read);
-      read_valid_q <= read || (read_valid_q && !move);
-      if (leave || !head_valid_q) begin
-        head_valid_q <= next_valid_q || read_valid_q;
-        next_valid_q <= next_valid_q && move;
-      end else begin
-        next_valid_q <= next_valid_q || read_valid_q;
-      end
+      read_valid_q <= read || (read_valid_q && !follow);
+      if (follow) head_valid_q <= read_valid_q;
     end
   end
 endmodule
