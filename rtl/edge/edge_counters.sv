@@ -2,7 +2,7 @@
 //   clear_i   all to zero, before a mesh
 //   lane_*    an answer of a lane was taken, with what it adds
 //   in_i      a base triangle came in;  tested_i a triangle was looked at, with its settled and split edges
-//   born_i    finished when they were born: triangles that nobody needs to look at
+//   born_i    a triangle leaves that was finished when it was born: nobody looked at it
 //   out_i, culled_i  a triangle went out, or was dropped for its back
 //
 //   contract: hls/edge/counters.hpp
@@ -23,7 +23,7 @@ module edge_counters
   input  logic                     tested_i,
   input  logic         [2:0]       settled_i,
   input  logic         [2:0]       split_i,
-  input  logic         [2:0]       born_i,
+  input  logic                     born_i,
   input  logic                     out_i,
   input  logic                     culled_i,
   input  logic         [15:0]      high_water_i,
@@ -62,7 +62,7 @@ module edge_counters
       step[CountSplits+$countones(split_i)] += step_t'(1);
     end
     // A triangle born finished was not split, and its three edges were settled.
-    step[CountSettledSkips] += step_t'(3 * born_i);
+    step[CountSettledSkips] += born_i ? step_t'(3) : step_t'(0);
     step[CountSplits] += step_t'(born_i);
   end
 

@@ -10,9 +10,9 @@
 //   is finished when it is born and goes out at once: settled edges cost nothing. A base triangle goes round once more, for its vertices.
 //   latency of one round about 240 clocks; initiation interval: one unsettled edge a clock and lane; every boundary is registered
 //
-//   in --+--[get_triangle]--[dispatch]--+--[edge_lane]----+--[collect]--[tessellate]--[results]--+-- out
-//        |                              +--[flight FIFO]--+                                      |
-//        +----------------------------------[triangle_queue]-------------------------------------+
+//   in --+--[get_triangle]--[dispatch]--+--[edge_lane]----+--[collect]--+--[tessellate]--+--[results]--+-- out
+//        |                              +--[flight FIFO]--+             +--[whole FIFO]--+             |
+//        +--------------------------------------[triangle_queue]---------------------------------------+
 module engine
   import formats_pkg::*;
   import surface_pkg::*;
@@ -72,6 +72,9 @@ module engine
 );
   // Triangles between their pop and their children: those of two maps' latencies and of all pipelines.
   localparam int unsigned FlightDepth = 2 * InFlight + 256;
+  // Whole triangles leave at one a clock and splits at one in two to four; each must be able to wait for a run of the other kind to end.
+  localparam int unsigned WholeDepth = 32;
+  localparam int unsigned ChildrenDepth = 32;
 
   generation_t max_generation;
   assign max_generation = regs_i.pass.max_generation;
@@ -242,67 +245,79 @@ module engine
     .place_o(collected_place)
   );
 
-  // A triangle without a split stays as it is; a base triangle gets its vertices.
-  triangle_t whole, whole_later;
-  logic      split, split_later, born_later;
-  always_comb begin
-    whole = collected.t;
-    if (collected_place) whole.v = collected.m;
-    else whole.settled = '1;
-  end
+  // A triangle without a split stays as it is, a base triangle gets its vertices: both pass by tessellate.
+  logic   split, whole_in_ready, whole_valid, whole_ready;
+  whole_t whole_in, whole;
   assign split = |collected.split;
-  delay #(.T(triangle_t), .Stages(Tessellate)) i_whole (.clk_i, .x_i(whole), .y_o(whole_later));
-  delay #(.Stages(Tessellate)) i_split (.clk_i, .x_i(split), .y_o(split_later));
-  delay #(.Stages(Tessellate)) i_born (
-    .clk_i, .x_i(split || collected_place), .y_o(born_later)
+  always_comb begin
+    whole_in.t = collected.t;
+    if (collected_place) whole_in.t.v = collected.m;
+    else whole_in.t.settled = '1;
+    whole_in.placed = collected_place;
+  end
+  logic [$clog2(WholeDepth+1)-1:0] unused_whole_count;
+  stream_fifo #(.T(whole_t), .Depth(WholeDepth)) i_whole (
+    .clk_i,
+    .rst_ni,
+    .in_valid_i(collected_valid && !split),
+    .in_ready_o(whole_in_ready),
+    .in_i(whole_in),
+    .out_valid_o(whole_valid),
+    .out_ready_i(whole_ready),
+    .out_o(whole),
+    .count_o(unused_whole_count)
   );
-  tessellate_out_t children;
+
+  tessellate_out_t tessellated;
   tessellate i_tessellate (
     .clk_i,
     .map_i(regs_i.map),
     .max_generation_i(max_generation),
     .in_i(collected),
-    .out_o(children)
+    .out_o(tessellated)
   );
-  result_t result_data, result;
+  logic split_in_ready, children_valid, children_ready;
+  children_t children_in, children;
   always_comb begin
-    result_data.t = children.t;
-    result_data.born = born_later;
-    if (!split_later) result_data.t[0] = whole_later;
+    children_in.t = tessellated.t;
     for (int i = 0; i < 4; i++) begin
       logic there, finished;
-      there = split_later ? 3'(i) < children.count : i == 0;
-      finished = &result_data.t[i].settled;
-      result_data.to_out[i] = there && finished;
-      result_data.to_queue[i] = there && !finished;
+      there = 3'(i) < tessellated.count;
+      finished = &tessellated.t[i].settled;
+      children_in.to_out[i] = there && finished;
+      children_in.to_queue[i] = there && !finished;
     end
   end
-  logic result_valid, result_ready;
-  stream_pipe #(.T(result_t), .Latency(Tessellate)) i_tessellate_pipe (
+  stream_pipe #(.T(children_t), .Latency(Tessellate), .Depth(ChildrenDepth)) i_tessellate_pipe (
     .clk_i,
     .rst_ni,
-    .in_valid_i(collected_valid),
-    .in_ready_o(collected_ready),
-    .data_i(result_data),
-    .out_valid_o(result_valid),
-    .out_ready_i(result_ready),
-    .out_o(result)
+    .in_valid_i(collected_valid && split),
+    .in_ready_o(split_in_ready),
+    .data_i(children_in),
+    .out_valid_o(children_valid),
+    .out_ready_i(children_ready),
+    .out_o(children)
   );
+  assign collected_ready = split ? split_in_ready : whole_in_ready;
 
-  logic finished_valid, finished_ready;
+  logic finished_valid, finished_ready, finished_born;
   triangle_t finished;
-  edge_results i_results (
+  edge_results #(.InFlight(FlightDepth)) i_results (
     .clk_i,
     .rst_ni,
-    .in_valid_i(result_valid),
-    .in_ready_o(result_ready),
-    .in_i(result),
+    .split_valid_i(children_valid),
+    .split_ready_o(children_ready),
+    .split_i(children),
+    .whole_valid_i(whole_valid),
+    .whole_ready_o(whole_ready),
+    .whole_i(whole),
     .push_valid_o(push_valid),
     .push_o(pushed),
     .retire_o(retire),
     .out_valid_o(finished_valid),
     .out_ready_i(finished_ready),
-    .out_o(finished)
+    .out_o(finished),
+    .born_o(finished_born)
   );
 
   // ---- out, one record late so that the last of the mesh can say so
@@ -373,7 +388,7 @@ module engine
     .tested_i(tested),
     .settled_i(collected.t.settled),
     .split_i(collected.split),
-    .born_i(retire && result.born ? 3'($countones(result.to_out)) : 3'd0),
+    .born_i(finished_valid && finished_ready && finished_born),
     .out_i(arrives),
     .culled_i(finished_valid && culled),
     .high_water_i(high_water),

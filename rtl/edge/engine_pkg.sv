@@ -12,14 +12,18 @@ package engine_pkg;
     triangle_t       t;
   } flight_t;
 
-  // What becomes of a triangle: up to four, each bound for the queue or out. born: they were not looked at yet, so those bound for out are
-  // finished when they are born.
+  // What becomes of a triangle that splits: two to four children, each bound for the queue or out.
   typedef struct packed {
-    logic            born;
     logic      [3:0] to_out;
     logic      [3:0] to_queue;
     triangle_t [3:0] t;
-  } result_t;
+  } children_t;
+
+  // A triangle that did not split, or (placed) a base triangle that got its vertices and was not looked at yet.
+  typedef struct packed {
+    logic      placed;
+    triangle_t t;
+  } whole_t;
 
   // Places of the counters, in the order of hls/edge/counters.hpp.
   localparam int unsigned CounterWords = 23;

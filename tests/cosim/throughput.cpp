@@ -70,9 +70,7 @@ TEST(throughput, a_triangle_a_clock_with_three_lanes_and_36_reads) {
   const cosim_run r = run_circuit(tb::make_scene(jacksboro(false)), s);
   std::uint64_t tested = 0;
   for (const std::uint64_t n : r.run.counts.splits) tested += n;
-  // What became of the triangles is handed out one triangle at a time, a child to the queue and one out a clock: that is what takes more
-  // than the 1.15 clocks that three lanes could reach.
-  EXPECT_LE(ratio(r.circuit.clocks, static_cast<double>(tested), "a triangle tested"), 1.38);
+  EXPECT_LE(ratio(r.circuit.clocks, static_cast<double>(tested), "a triangle tested"), 1.15);
 }
 
 TEST(throughput, with_1_read) { paper_tests("narrow", 12); }
