@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # A longer campaign with the same test programs: scripts/regress.sh [--seeds N] [--vectors N]
-#   first the circuit with more build parameters: every scene in the smallest queue, and the throughput with each;
+#   first the circuit with more build parameters: every scene in the smallest queue, the throughput with each, the top with AXI4 memories;
 #   then the units under AddressSanitizer and UndefinedBehaviorSanitizer, with few vectors; then
 #   units again with seeds 2..N+1 and so many random vectors each (default 10 seeds, 1,000,000 vectors). Stops at the first failure, whose
 #   seed is printed.
@@ -18,8 +18,8 @@ while (($#)); do
 done
 
 "$root/scripts/install.sh"
-"$root/scripts/build.sh" campaign cosim_tests
-ctest --test-dir "$root/build-campaign" -L cosim -j2 --output-on-failure
+"$root/scripts/build.sh" campaign cosim_tests rtl_edge_engine_axi
+ctest --test-dir "$root/build-campaign" -L 'cosim|campaign' -j2 --output-on-failure
 "$root/scripts/build.sh" release unit_tests
 "$root/scripts/build.sh" sanitize unit_tests
 RELIEVO_VECTORS=5000 "$root/build-sanitize/tests/unit_tests" --gtest_brief=1

@@ -3,14 +3,21 @@
 #   // verilate: PREFIX NAME=VALUE ...
 # one a variant; without any there is one model, V<unit>. Models that the build has anyway are named by lines
 #   // model: PREFIX
+# What is left to builds with RELIEVO_CAMPAIGN has a line
+#   // campaign: WHY
 file(GLOB rtl_tests CONFIGURE_DEPENDS core/*_rtl.cpp surface/*_rtl.cpp edge/*_rtl.cpp top/*_rtl.cpp)
 foreach(test ${rtl_tests})
   get_filename_component(name ${test} NAME_WE)
   get_filename_component(folder ${test} DIRECTORY)
   get_filename_component(tree ${folder} NAME)
   string(REGEX REPLACE "_rtl$" "" unit ${name})
+  file(STRINGS ${test} campaign REGEX "^// campaign: ")
+  if(campaign AND NOT RELIEVO_CAMPAIGN)
+    continue()
+  endif()
   set(has_registers OFF)
-  if(EXISTS ${relievo_rtl}/${tree}/${unit}.rdl)
+  file(STRINGS ${test} hosted REGEX "^#include \"tests/support/edge_engine_session\\.hpp\"")
+  if(hosted)
     if(NOT relievo_registers)
       message(STATUS "rtl_${unit} is left out: it needs a register block")
       continue()
@@ -42,5 +49,9 @@ foreach(test ${rtl_tests})
   # Compiled in half the time; the clocks go by in the model.
   target_compile_options(rtl_${unit} PRIVATE -O1)
   set_target_properties(rtl_${unit} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/rtl)
-  gtest_discover_tests(rtl_${unit} TEST_PREFIX rtl. PROPERTIES LABELS "unit;rtl" DISCOVERY_TIMEOUT 60)
+  set(labels unit rtl)
+  if(campaign)
+    list(APPEND labels campaign)
+  endif()
+  gtest_discover_tests(rtl_${unit} TEST_PREFIX rtl. PROPERTIES LABELS "${labels}" DISCOVERY_TIMEOUT 60)
 endforeach()

@@ -9,7 +9,9 @@
 //   m_axis_*          triangle_out_t likewise
 //   s_axis_map_*      texels row by row, for both builders of maps; tlast with the last of a map
 //   table_write_*     words (x, y) of the summed-area table for its memory;  normal_write_*  of the map of normals
-//   table_*, quad_*, place_*, normal_*   read ports, lane 0 at bit 0, as memory_pkg.sv says; axi_read serves one from an AXI4 bus
+//   table_*, quad_*, place_*, normal_*   read ports, lane 0 at bit 0, as memory_pkg.sv says; edge_engine_axi.sv serves them from AXI4
+//   map_width_o       of the map that the running mesh reads, for who makes addresses of coordinates
+//   memory_error_i    for one clock: an answer at a read port was none; the host is told, the mesh goes on
 //
 //   Parameters are taken over at start. Bad input is refused with an error code, and the next start works: edge_engine_input.sv.
 //   latency of a mesh: its own; initiation interval: that of the engine, a base triangle every other clock at most. All outputs are
@@ -110,7 +112,10 @@ module edge_engine
   input  logic          [LANES-1:0] normal_req_ready_i,
   output quad_request_t [LANES-1:0] normal_req_o,
   input  logic          [LANES-1:0] normal_rsp_valid_i,
-  input  normal_quad_t  [LANES-1:0] normal_rsp_i
+  input  normal_quad_t  [LANES-1:0] normal_rsp_i,
+
+  output map_size_t map_width_o,
+  input  logic      memory_error_i
 );
   if (LANES != 1 && LANES != 3) begin : gen_lanes
     $error("LANES is 1 or 3");
@@ -174,6 +179,7 @@ module edge_engine
     .input_over_i(input_over),
     .input_error_i(input_error),
     .map_error_i(map_error_code),
+    .memory_error_i,
     .regs_o(regs),
     .expected_o(expected),
     .limit_o(limit),
@@ -186,6 +192,7 @@ module edge_engine
     .error_code_o(state.error_code)
   );
   assign state.swallowing = mesh_swallowing || map_swallowing;
+  assign map_width_o = regs.map.width;
 
   logic           in_valid, in_ready;
   base_triangle_t in_word;

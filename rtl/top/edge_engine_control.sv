@@ -6,6 +6,7 @@
 //         engine_done_i, overflow_i       of the engine
 //         input_over_i, input_error_i     no more is to come of the packet; an error found in it, for one clock
 //         map_error_i                     an error of the builders of maps, for one clock
+//         memory_error_i                  an answer of a map memory was none, for one clock
 //   out   regs_o, expected_o  taken over at start, constant until done; limit_o: the largest coordinates they allow
 //         begin_o             for one clock: engine and input begin; with refuse_o no triangle is let in
 //         close_o             for one clock: the host has seen an error, or begins anew: nothing more is swallowed; at once, so that no
@@ -32,6 +33,7 @@ module edge_engine_control
   input  logic               input_over_i,
   input  error_code_e        input_error_i,
   input  error_code_e        map_error_i,
+  input  logic               memory_error_i,
   output engine_regs_t       regs_o,
   output logic [31:0]        expected_o,
   output coordinate_t [1:0]  limit_o,
@@ -94,6 +96,7 @@ module edge_engine_control
   error_code_e wrong;
   always_comb begin
     wrong = map_error_i;
+    if (memory_error_i) wrong = MemoryError;
     if (control_i.start && phase_q != Idle) wrong = StartWhileBusy;
     if (overflow_i && !overflow_q) wrong = QueueOverflow;
     if (input_error_i != None) wrong = input_error_i;

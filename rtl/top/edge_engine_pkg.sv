@@ -18,7 +18,8 @@ package edge_engine_pkg;
     QueueOverflow = 9,
     MapEarlyLast = 10,
     MapMissingLast = 11,
-    Stopped = 12
+    Stopped = 12,
+    MemoryError = 13
   } error_code_e;
 
   // What the host asks for, each for one clock.

@@ -194,7 +194,7 @@ module edge_engine_registers
   end
 
   // The codes are listed twice, once for the documents.
-  if (32'(edge_engine_error__stopped) != 32'(Stopped)) begin : gen_codes
+  if (32'(edge_engine_error__memory_error) != 32'(MemoryError)) begin : gen_codes
     $error("edge_engine.rdl and edge_engine_pkg.sv number the errors differently");
   end
 endmodule

@@ -177,6 +177,8 @@ std::string edge_engine_driver::describe(edge_engine_code code) {
       return "edge engine: the last texel of a map of " + size() + " came without tlast";
     case edge_engine_code::stopped:
       return "edge engine: stop was written before the packet was over";
+    case edge_engine_code::memory_error:
+      return "edge engine: a map memory answered a read with an error, where every word of the maps must be readable";
   }
   return "edge engine: error code " + std::to_string(static_cast<int>(code)) + ", which this driver does not know";
 }

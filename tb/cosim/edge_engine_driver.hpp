@@ -39,7 +39,8 @@ enum class edge_engine_code {
   queue_overflow,
   map_early_last,
   map_missing_last,
-  stopped
+  stopped,
+  memory_error
 };
 
 struct edge_engine_error : std::runtime_error {

@@ -1,11 +1,11 @@
 // edge_engine_bench: the Verilated edge engine among its buses, in a plain loop of clocks: an AXI4-Lite master, sources of base triangles
 // and texels, a sink of triangles, memories behind the read ports, and the memories that the builders fill.
 //
-//   edge_engine_bench<Model> bench(traffic)      of one lane, 3 table reads and 1 profile sample a clock
+//   edge_engine_bench<Model> bench(traffic)      with memories behind read ports (map_ports.hpp), or, as a second parameter, others
 //   bench.driver           edge_engine_driver over the bus; every access takes the clocks it needs, the rest of the bench goes on
 //   bench.base, .texels    words to be offered, in order, each with its tlast
 //   bench.packets          what came out, a list a packet;  bench.table, .normals  what the builders wrote
-//   bench.load(map, ...)   size and texels of the memories that answer
+//   bench.load(scene)      what the memories hold
 //   bench.clock(n)         n clocks;  bench.idle()  all sources empty
 //   Checked in every clock: words hold while they are not taken, tlast is last, only words of the map are asked for and written, and
 //   the bus answers OKAY.
@@ -20,10 +20,9 @@
 #include "hls/top/top.hpp"
 #include "tb/cosim/coverage.hpp"
 #include "tb/cosim/edge_engine_driver.hpp"
-#include "tb/cosim/map_words.hpp"
 #include "tb/cosim/ports.hpp"
-#include "tests/support/engine_scene.hpp"
 #include "tests/support/held_word.hpp"
+#include "tests/support/map_ports.hpp"
 #include "tests/support/stream_unit.hpp"
 
 namespace relievo::test {
@@ -34,12 +33,9 @@ struct bus_word {
   bool last;
 };
 
-template <class Model>
+template <class Model, class Memories = map_ports<Model>>
 class edge_engine_bench : public tb::register_bus {
  public:
-  using table_requests = tb::group<tb::table_request, 3>;
-  using table_answers = tb::group<tb::table_word, 3>;
-
   explicit edge_engine_bench(traffic const& t) : driver(*this), traffic_(t), g_("edge_engine bench") {
     context_.randReset(2);
     context_.randSeed(static_cast<int>(seed() & 0x7fffffff) + 1);
@@ -58,6 +54,7 @@ class edge_engine_bench : public tb::register_bus {
   bool may_refuse = false;  // another response than OKAY is no failure
   bool sink_open = true;
   std::uint64_t clocks = 0;
+  Memories memories;
 
   void reset() {
     model_->aresetn = 0;
@@ -67,12 +64,8 @@ class edge_engine_bench : public tb::register_bus {
     edge();
   }
 
-  // What the read ports answer from.
-  void load(engine_scene const& s) {
-    scene_ = &s;
-    width_ = s.map.width();
-    height_ = s.map.height();
-  }
+  // What the memories answer from.
+  void load(engine_scene const& s) { memories.load(s); }
 
   bool idle() const { return base.empty() && texels.empty(); }
 
@@ -103,20 +96,13 @@ class edge_engine_bench : public tb::register_bus {
   }
 
  private:
-  template <class Request, class Answer>
-  struct memory {
-    std::deque<std::pair<std::uint64_t, Answer>> answers;
-    bool ready = false;
-  };
-
   void quiet() {
     Model& m = *model_;
     m.s_axil_awvalid = m.s_axil_wvalid = m.s_axil_bready = m.s_axil_arvalid = m.s_axil_rready = 0;
     m.s_axil_awprot = m.s_axil_arprot = 0;
     m.s_axis_tvalid = m.s_axis_map_tvalid = m.m_axis_tready = 0;
     m.table_write_ready_i = m.normal_write_ready_i = 0;
-    m.table_req_ready_i = m.quad_req_ready_i = m.place_req_ready_i = m.normal_req_ready_i = 0;
-    m.table_rsp_valid_i = m.quad_rsp_valid_i = m.place_rsp_valid_i = m.normal_rsp_valid_i = 0;
+    memories.quiet(m);
   }
   void edge() {
     model_->eval();
@@ -127,60 +113,6 @@ class edge_engine_bench : public tb::register_bus {
   }
 
   bool moves(std::uint64_t rests) { return g_.below(16) >= rests; }
-
-  std::size_t at(tb::quad_request const& r, int row, int column) {
-    return place(static_cast<int>(raw(r.x[column])), static_cast<int>(raw(r.y[row])));
-  }
-  std::size_t place(int x, int y) {
-    if (x >= width_ || y >= height_) {
-      ADD_FAILURE() << "word (" << x << ", " << y << ") of a map of " << width_ << " x " << height_ << ", clock " << clocks;
-      return 0;
-    }
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
-  }
-  tb::texel_quad texel_quad(tb::quad_request const& r) {
-    tb::texel_quad q{};
-    for (int row = 0; row < 2; ++row)
-      for (int column = 0; column < 2; ++column) q.q[row][column] = hls::from_raw<formats::texel>(scene_->map.words()[at(r, row, column)]);
-    return q;
-  }
-  tb::normal_quad normal_quad(tb::quad_request const& r) {
-    tb::normal_quad q{};
-    for (int row = 0; row < 2; ++row)
-      for (int column = 0; column < 2; ++column)
-        for (int i = 0; i < 3; ++i) q.q[row][column][i] = hls::unpack_normal(scene_->normals[at(r, row, column)], i);
-    return q;
-  }
-  table_answers table_words(table_requests const& r) {
-    table_answers a{};
-    for (int i = 0; i < 3; ++i)
-      if (r.at[i].read)
-        a.at[i].word = hls::from_raw<formats::table_sum>(static_cast<std::int64_t>(
-            scene_->map.table().words[place(static_cast<int>(raw(r.at[i].x)), static_cast<int>(raw(r.at[i].y)))]));
-    return a;
-  }
-
-  // Inputs of a read port, before the edge.
-  template <class Memory, class Ready, class Valid, class Port>
-  void answer(Memory& from, Ready& ready, Valid& valid, Port& rsp) {
-    from.ready = moves(traffic_.stall);
-    ready = from.ready;
-    const bool due = !from.answers.empty() && from.answers.front().first <= clocks;
-    valid = due;
-    if (due) {
-      tb::put(rsp, from.answers.front().second);
-      from.answers.pop_front();
-    }
-  }
-  // Its request, at the edge.
-  template <class Request, class Memory, class Valid, class Port, class LookUp>
-  void ask(Memory& to, Valid valid, Port const& req, LookUp look_up) {
-    if (!valid || !to.ready) return;
-    std::uint64_t due = clocks + static_cast<std::uint64_t>(g_.between(static_cast<std::int64_t>(traffic_.latency_low),
-                                                                       static_cast<std::int64_t>(traffic_.latency_high)));
-    if (!to.answers.empty() && to.answers.back().first >= due) due = to.answers.back().first + 1;
-    to.answers.push_back({due, look_up(tb::get<Request>(req))});
-  }
 
   void step() {
     Model& m = *model_;
@@ -201,10 +133,7 @@ class edge_engine_bench : public tb::register_bus {
     m.m_axis_tready = sink_open && moves(traffic_.stall);
     m.table_write_ready_i = moves(traffic_.stall);
     m.normal_write_ready_i = moves(traffic_.stall);
-    answer(table_memory_, m.table_req_ready_i, m.table_rsp_valid_i, m.table_rsp_i);
-    answer(quad_memory_, m.quad_req_ready_i, m.quad_rsp_valid_i, m.quad_rsp_i);
-    answer(place_memory_, m.place_req_ready_i, m.place_rsp_valid_i, m.place_rsp_i);
-    answer(normal_memory_, m.normal_req_ready_i, m.normal_rsp_valid_i, m.normal_rsp_i);
+    memories.offer(m, traffic_, g_, clocks);
     // Address and data of a write go their own ways.
     offering_aw_ = offering_aw_ || (write_.address_left && moves(traffic_.idle));
     offering_w_ = offering_w_ || (write_.data_left && moves(traffic_.idle));
@@ -241,12 +170,7 @@ class edge_engine_bench : public tb::register_bus {
     if (m.table_write_valid_o && m.table_write_ready_i) table[{m.table_write_x_o, m.table_write_y_o}] = m.table_write_word_o;
     normal_hold_.look(m.normal_write_valid_o, m.normal_write_ready_i, m.normal_write_word_o, clocks);
     if (m.normal_write_valid_o && m.normal_write_ready_i) normals[{m.normal_write_x_o, m.normal_write_y_o}] = m.normal_write_word_o;
-    ask<table_requests>(table_memory_, m.table_req_valid_o, m.table_req_o, [this](auto const& r) { return table_words(r); });
-    const bool wanted = m.quad_req_mask_o != 0;
-    ask<tb::quad_request>(quad_memory_, m.quad_req_valid_o, m.quad_req_o,
-                          [&](auto const& r) { return wanted ? texel_quad(r) : tb::texel_quad{}; });
-    ask<tb::quad_request>(place_memory_, m.place_req_valid_o, m.place_req_o, [this](auto const& r) { return texel_quad(r); });
-    ask<tb::quad_request>(normal_memory_, m.normal_req_valid_o, m.normal_req_o, [this](auto const& r) { return normal_quad(r); });
+    memories.take(m, traffic_, g_, clocks);
     if (offering_aw_ && m.s_axil_awready) write_.address_left = offering_aw_ = false;
     if (offering_w_ && m.s_axil_wready) write_.data_left = offering_w_ = false;
     if (offering_ar_ && m.s_axil_arready) read_.address_left = offering_ar_ = false;
@@ -281,14 +205,9 @@ class edge_engine_bench : public tb::register_bus {
   const tb::keep_coverage kept_{context_};
   traffic traffic_;
   generator g_;
-  engine_scene const* scene_ = nullptr;
-  int width_ = 0, height_ = 0;
   bool offering_base_ = false, offering_texel_ = false, offering_aw_ = false, offering_w_ = false, offering_ar_ = false;
   bool packet_over_ = false;
   held_word out_hold_{"m_axis"}, table_hold_{"table_write"}, normal_hold_{"normal_write"};
-  memory<table_requests, table_answers> table_memory_;
-  memory<tb::quad_request, tb::texel_quad> quad_memory_, place_memory_;
-  memory<tb::quad_request, tb::normal_quad> normal_memory_;
   write_access write_;
   read_access read_;
 };

@@ -34,7 +34,7 @@ inline hls_run reference(engine_scene const& s) {
   return nothing;
 }
 
-template <class Model>
+template <class Model, class Memories = map_ports<Model>>
 class edge_engine_session {
  public:
   explicit edge_engine_session(traffic const& t = {0, 0, 1, 1}) : bench(t) {}
@@ -117,7 +117,7 @@ class edge_engine_session {
     }
   }
 
-  edge_engine_bench<Model> bench;
+  edge_engine_bench<Model, Memories> bench;
 };
 
 // A scene with several base triangles.

@@ -263,6 +263,18 @@ TEST(edge_engine, survives_a_start_while_busy) {
   });
 }
 
+// The mesh goes on; the host learns of it.
+TEST(edge_engine, tells_of_a_memory_that_fails) {
+  tell([](session& it, engine_scene const& s) {
+    it.begin(s, 0);
+    it.bench.memories.error_next = true;
+    it.send(s);
+    it.expect_mesh(s, code::memory_error);
+    it.expect_line(code::memory_error, "a map memory answered");
+    it.bench.driver.clear_error();
+  });
+}
+
 TEST(edge_engine, survives_a_packet_that_breaks_off) {
   for (const std::size_t sent : {0, 1, 2})
     tell([&](session& it, engine_scene const& s) {

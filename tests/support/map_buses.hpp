@@ -1,0 +1,126 @@
+// map_buses: the map memories of a Verilated edge_engine_axi: three memories of bytes behind its four AXI4 read buses, each answering in
+// order, after the traffic's clocks, with stalls.
+//   quiet, load, offer, take   as map_ports.hpp
+//   bad_beats          so many beats to come are answered with SLVERR, and with the right word
+//   Checked: every address is one of a word of the map it is for, aligned; ar holds until it is taken; bursts are of one word.
+#pragma once
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <deque>
+
+#include "tests/support/engine_scene.hpp"
+#include "tests/support/held_word.hpp"
+#include "tests/support/stream_unit.hpp"
+
+namespace relievo::test {
+
+template <class Model>
+class map_buses {
+ public:
+  static constexpr std::uint64_t displacement_base = 0x10000, table_base = 0x40000, normal_base = 0x80008;
+  int bad_beats = 0;
+
+  void quiet(Model& m) {
+    m.displacement_base_i = displacement_base;
+    m.table_base_i = table_base;
+    m.normal_base_i = normal_base;
+    each(m, [](bus&, auto ar, auto r) {
+      *ar.ready = 0;
+      *r.valid = 0;
+    });
+  }
+  void load(engine_scene const& s) { scene_ = &s; }
+  void offer(Model& m, traffic const& t, generator& g, std::uint64_t clock) {
+    each(m, [&](bus& b, auto ar, auto r) {
+      *ar.ready = g.below(16) >= t.stall;
+      if (!b.offered && !b.beats.empty() && b.beats.front().due <= clock && g.below(16) >= t.idle) b.offered = true;
+      *r.valid = b.offered;
+      *r.resp = static_cast<CData>(b.offered ? (b.beats.front().bad ? 2 : 0) : g.below(4));
+      *r.data = b.offered ? b.beats.front().data : g();
+      *r.last = b.offered;
+    });
+  }
+  void take(Model& m, traffic const& t, generator& g, std::uint64_t clock) {
+    each(m, [&](bus& b, auto ar, auto r) {
+      if (b.offered && *r.ready) {
+        b.beats.pop_front();
+        b.offered = false;
+      }
+      b.hold.look(*ar.valid, *ar.ready, *ar.address, clock);
+      if (!*ar.valid || !*ar.ready) return;
+      EXPECT_EQ(*ar.length, 0);
+      EXPECT_EQ(1u << *ar.size, b.bytes);
+      std::uint64_t due = clock + static_cast<std::uint64_t>(
+                                      g.between(static_cast<std::int64_t>(t.latency_low), static_cast<std::int64_t>(t.latency_high)));
+      if (!b.beats.empty() && b.beats.back().due >= due) due = b.beats.back().due + 1;
+      const bool bad = bad_beats > 0;
+      bad_beats -= bad ? 1 : 0;
+      b.beats.push_back({due, beat(b, *ar.address, g), bad});
+    });
+  }
+
+ private:
+  struct beat_word {
+    std::uint64_t due, data;
+    bool bad;
+  };
+  struct bus {
+    char const* name;
+    std::uint64_t base;
+    unsigned bytes;
+    held_word hold;
+    std::deque<beat_word> beats;
+    bool offered = false;
+  };
+  template <class Address>
+  struct ar_ports {
+    Address const* address;
+    CData const *length, *size, *valid;
+    CData* ready;
+  };
+  template <class Data>
+  struct r_ports {
+    Data* data;
+    CData *resp, *last, *valid;
+    CData const* ready;
+  };
+
+  // The word at an address on its lanes of eight bytes; anything on the others.
+  std::uint64_t beat(bus const& b, std::uint64_t address, generator& g) {
+    const std::uint64_t at = (address - b.base) / b.bytes;
+    if (address < b.base || (address - b.base) % b.bytes != 0 || at >= scene_->map.words().size()) {
+      ADD_FAILURE() << b.name << ": address " << address << " is no word's of the map";
+      return 0;
+    }
+    if (b.bytes == 2) {
+      const unsigned shift = 8 * (address % 8);
+      return (g() & ~(std::uint64_t(0xffff) << shift)) | std::uint64_t(scene_->map.words()[at]) << shift;
+    }
+    const std::uint64_t above = g() << (b.base == table_base ? 40 : 48);
+    return above | (b.base == table_base ? scene_->map.table().words[at] : scene_->normals[at]);
+  }
+
+#define RELIEVO_BUS(name)                                                                                                       \
+  call(name##_,                                                                                                                 \
+       ar_ports<decltype(m.m_axi_##name##_araddr)>{&m.m_axi_##name##_araddr, &m.m_axi_##name##_arlen, &m.m_axi_##name##_arsize, \
+                                                   &m.m_axi_##name##_arvalid, &m.m_axi_##name##_arready},                       \
+       r_ports<decltype(m.m_axi_##name##_rdata)>{&m.m_axi_##name##_rdata, &m.m_axi_##name##_rresp, &m.m_axi_##name##_rlast,     \
+                                                 &m.m_axi_##name##_rvalid, &m.m_axi_##name##_rready})
+  template <class Call>
+  void each(Model& m, Call const& call) {
+    RELIEVO_BUS(table);
+    RELIEVO_BUS(quad);
+    RELIEVO_BUS(place);
+    RELIEVO_BUS(normal);
+  }
+#undef RELIEVO_BUS
+
+  engine_scene const* scene_ = nullptr;
+  bus table_{"m_axi_table", table_base, 8, held_word("m_axi_table_ar"), {}};
+  bus quad_{"m_axi_quad", displacement_base, 2, held_word("m_axi_quad_ar"), {}};
+  bus place_{"m_axi_place", displacement_base, 2, held_word("m_axi_place_ar"), {}};
+  bus normal_{"m_axi_normal", normal_base, 8, held_word("m_axi_normal_ar"), {}};
+};
+
+}  // namespace relievo::test
