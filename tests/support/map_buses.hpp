@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <type_traits>
 
 #include "tests/support/engine_scene.hpp"
 #include "tests/support/held_word.hpp"
@@ -101,12 +102,13 @@ class map_buses {
     return above | (b.base == table_base ? scene_->map.table().words[at] : scene_->normals[at]);
   }
 
-#define RELIEVO_BUS(name)                                                                                                       \
-  call(name##_,                                                                                                                 \
-       ar_ports<decltype(m.m_axi_##name##_araddr)>{&m.m_axi_##name##_araddr, &m.m_axi_##name##_arlen, &m.m_axi_##name##_arsize, \
-                                                   &m.m_axi_##name##_arvalid, &m.m_axi_##name##_arready},                       \
-       r_ports<decltype(m.m_axi_##name##_rdata)>{&m.m_axi_##name##_rdata, &m.m_axi_##name##_rresp, &m.m_axi_##name##_rlast,     \
-                                                 &m.m_axi_##name##_rvalid, &m.m_axi_##name##_rready})
+#define RELIEVO_BUS(name)                                                                                                        \
+  call(name##_,                                                                                                                  \
+       ar_ports<std::remove_reference_t<decltype(m.m_axi_##name##_araddr)>>{&m.m_axi_##name##_araddr, &m.m_axi_##name##_arlen,   \
+                                                                            &m.m_axi_##name##_arsize, &m.m_axi_##name##_arvalid, \
+                                                                            &m.m_axi_##name##_arready},                          \
+       r_ports<std::remove_reference_t<decltype(m.m_axi_##name##_rdata)>>{                                                       \
+           &m.m_axi_##name##_rdata, &m.m_axi_##name##_rresp, &m.m_axi_##name##_rlast, &m.m_axi_##name##_rvalid, &m.m_axi_##name##_rready})
   template <class Call>
   void each(Model& m, Call const& call) {
     RELIEVO_BUS(table);
