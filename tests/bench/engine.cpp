@@ -2,8 +2,8 @@
 // and with the profile test too. Items are edge tests; the counter says how many triangles came out.
 #include <benchmark/benchmark.h>
 
-#include "tb/host/scene.hpp"
 #include "tb/model/model.hpp"
+#include "tests/bench/jacksboro.hpp"
 
 namespace relievo::bench {
 namespace {
@@ -22,22 +22,7 @@ void run_engine(benchmark::State& state, tb::scene_options const& options) {
   state.counters["edge_tests"] = static_cast<double>(counts.edge_tests);
 }
 
-tb::scene_options jacksboro() {
-  tb::scene_options options;
-  options.mesh = "plane:8";
-  options.displacement = RELIEVO_SOURCE_DIR "/tests/data/jacksboro_403x344.png";
-  options.sample_range = tb::sample_range{236, 1076};
-  options.viewport = {1280, 800};
-  options.view_threshold = 1;
-  return options;
-}
-
-void engine_paper_tests(benchmark::State& state) {
-  tb::scene_options options = jacksboro();
-  options.normal_threshold = 0.89;
-  options.height_threshold = 25000;
-  run_engine(state, options);
-}
+void engine_paper_tests(benchmark::State& state) { run_engine(state, jacksboro()); }
 BENCHMARK(engine_paper_tests)->Unit(benchmark::kMillisecond);
 
 void engine_with_profile(benchmark::State& state) {

@@ -1,6 +1,6 @@
 // pipeline: drives the Verilated model of a pure pipeline and holds it against the kernel, word by word, with its promised latency.
 //
-//   pipeline_test<Model, V>(latency, shape, expected, same = all words, ports = in_i and out_o)
+//   pipeline_test<Model, V>(latency, shape, expected, same = all words, ports = in_i and out_o)   -> clocks that it took
 //     Model     Verilated module with clk_i, in_i, out_o and, where V has them, regs_i, map_i, max_generation_i
 //     V         stimulus<In, Regs>, or any record of in, regs, map and max_generation
 //     shape     as in for_vectors: brings a drawn vector into the unit's domain
@@ -100,7 +100,7 @@ struct all_words {
 }  // namespace detail
 
 template <class Model, class V, class Shape, class Expected, class Same = detail::all_words, class Ports = detail::one_port>
-void pipeline_test(int latency, Shape shape, Expected expected, Same same = {}, Ports ports = {}) {
+std::uint64_t pipeline_test(int latency, Shape shape, Expected expected, Same same = {}, Ports ports = {}) {
   using Out = decltype(expected(std::declval<V const&>()));
   struct pending {
     V v;
@@ -154,7 +154,7 @@ void pipeline_test(int latency, Shape shape, Expected expected, Same same = {}, 
         corner_vector(v, at, corner, others);
         shape(v, g);
         detail::drive_constants(model, v);
-        if (!feed(v) || !drain()) return;
+        if (!feed(v) || !drain()) return clocks;
       }
   constexpr std::uint64_t burst = 256;
   for (std::uint64_t done = 0; done < rtl_vector_count(); done += burst) {
@@ -167,10 +167,11 @@ void pipeline_test(int latency, Shape shape, Expected expected, Same same = {}, 
       detail::keep_constants(v, first);
       shape(v, g);
       detail::keep_constants(v, first);
-      if (!feed(v)) return;
+      if (!feed(v)) return clocks;
     }
-    if (!drain()) return;
+    if (!drain()) return clocks;
   }
+  return clocks;
 }
 
 }  // namespace relievo::test

@@ -71,11 +71,12 @@ struct any_word {
   void operator()(V&, generator&) const {}
 };
 
-// A sequence of its own for every test, and for every round of vectors within it.
+// A sequence of its own for every test, and for every round of vectors within it; outside a test (a benchmark) always the same one.
 inline generator next_generator() {
   static testing::TestInfo const* last = nullptr;
   static int round = 0;
   testing::TestInfo const* current = testing::UnitTest::GetInstance()->current_test_info();
+  if (current == nullptr) return generator("no test");
   round = current == last ? round + 1 : 0;
   last = current;
   return generator(std::string(current->test_suite_name()) + "." + current->name() + " " + std::to_string(round));
