@@ -104,7 +104,7 @@ command add_compare(CLI::App& app) {
   return [a, self] {
     const std::vector<std::string> names = split_names(a->models);
     a->out.check(names.back());
-    a->rtl.apply();
+    a->rtl.apply(std::find(names.begin(), names.end(), "rtl") != names.end());
     a->scene.check_measure(a->out.measure);
     const scene sc = a->scene.make();
     std::vector<run_result> runs;

@@ -109,7 +109,7 @@ int replay(arguments const& a, CLI::App const& app) {
   const unit_vectors v = parse_vectors(read_bytes(a.file), a.file);
   if (a.model != "hls" && a.model != "golden" && a.model != "rtl")
     throw input_error("--model: '" + a.model + "' cannot replay; known are golden, hls, rtl");
-  a.rtl.apply();
+  a.rtl.apply(a.model == "rtl");
   return v.unit == "engine" ? replay_engine(a, v, app) : replay_unit(a, v, app);
 }
 

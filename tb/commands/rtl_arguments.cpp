@@ -5,6 +5,8 @@
 
 #include "tb/commands/reporting.hpp"
 #include "tb/cosim/rtl_model.hpp"
+#include "tb/cosim/waveform.hpp"
+#include "tb/host/files.hpp"
 #include "tb/host/input_error.hpp"
 
 namespace relievo::tb {
@@ -25,9 +27,29 @@ void rtl_arguments::add_to(CLI::App& app, bool with_seed) {
   app.add_option("--watchdog", settings_.watchdog, "rtl: clocks without a moving word that end the run")
       ->group("Circuit")
       ->capture_default_str();
+  app.add_option("--trace", trace_, "rtl: FILE.fst, a waveform, and FILE.gtkw, which shows it in GTKWave")->group("Circuit");
+  app.add_option("--trace-from", trace_from_, "rtl: first clock of the waveform, counted from the reset; default 1")->group("Circuit");
+  app.add_option("--trace-cycles", trace_cycles_, "rtl: clocks of the waveform; default 10000")->group("Circuit");
 }
 
-void rtl_arguments::apply() const {
+void rtl_arguments::check_trace(cosim_settings& s, bool circuit) const {
+  const auto clocks = [&](char const* option, std::optional<std::int64_t> const& given, std::uint64_t& to) {
+    if (!given) return;
+    if (!trace_) throw input_error(std::string(option) + ": belongs to a waveform; name its file with --trace FILE.fst");
+    if (*given < 1) throw input_error(std::string(option) + ": " + std::to_string(*given) + " is no count of clocks from 1 on");
+    to = static_cast<std::uint64_t>(*given);
+  };
+  clocks("--trace-from", trace_from_, s.trace_from);
+  clocks("--trace-cycles", trace_cycles_, s.trace_cycles);
+  if (!trace_) return;
+  if (!circuit) throw input_error("--trace: only the circuit has a waveform; take the model rtl");
+  if (extension_of(*trace_) != "fst") throw input_error("--trace: '" + *trace_ + "' does not end in .fst");
+  check_writable(*trace_);
+  check_writable(gtkwave_name(*trace_));
+  s.trace = *trace_;
+}
+
+void rtl_arguments::apply(bool circuit) const {
   cosim_settings s = settings_;
   const auto percent = [](char const* option, int value) {
     if (value < 0 || value > 99) throw input_error(std::string(option) + ": " + std::to_string(value) + " is not within 0..99 percent");
@@ -43,6 +65,7 @@ void rtl_arguments::apply() const {
     s.latency_low = low;
     s.latency_high = high;
   }
+  check_trace(s, circuit);
   s.reset_seed = static_cast<int>(s.seed & 0x7fffffff) + 1;
   set_cosim_settings(s);
 }

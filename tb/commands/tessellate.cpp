@@ -30,7 +30,7 @@ command add_tessellate(CLI::App& app) {
     if (!a->vectors.empty() && a->model == "ideal")
       throw input_error("--vectors: the ideal model's output has no raw words; take golden or hls");
     a->out.check(a->model, {a->vectors});
-    a->rtl.apply();
+    a->rtl.apply(a->model == "rtl");
     a->scene.check_measure(a->out.measure);
     const scene sc = a->scene.make();
     run_hooks hooks;

@@ -1,9 +1,11 @@
 #include "tb/cosim/engine_bench.hpp"
 
+#include <filesystem>
 #include <map>
 #include <stdexcept>
 #include <systemc>
 
+#include "tb/cosim/waveform.hpp"
 #include "tb/host/input_error.hpp"
 
 namespace relievo::tb {
@@ -22,6 +24,8 @@ std::vector<std::string> engine_variants() {
   for (auto const& [name, make] : variants()) names.push_back(name);
   return names;
 }
+
+std::string gtkwave_name(std::string const& file) { return std::filesystem::path(file).replace_extension(".gtkw").string(); }
 
 engine_bench& the_engine_bench(cosim_settings const& settings) {
   static std::unique_ptr<engine_bench> only;

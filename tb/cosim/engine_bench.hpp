@@ -32,10 +32,14 @@ struct cosim_settings {
   std::uint64_t seed = 1;
   int reset_seed = 1;              // what registers hold before reset
   std::uint64_t watchdog = 20000;  // clocks without a moving word
+  // A waveform (waveform.hpp): FILE.fst, or nothing; from this clock of the bench on, so many clocks.
+  std::string trace;
+  std::uint64_t trace_from = 1, trace_cycles = 10000;
 
   bool operator==(cosim_settings const& o) const {
     return variant == o.variant && idle == o.idle && stall == o.stall && latency_low == o.latency_low && latency_high == o.latency_high &&
-           bursty == o.bursty && seed == o.seed && reset_seed == o.reset_seed && watchdog == o.watchdog;
+           bursty == o.bursty && seed == o.seed && reset_seed == o.reset_seed && watchdog == o.watchdog && trace == o.trace &&
+           trace_from == o.trace_from && trace_cycles == o.trace_cycles;
   }
 };
 

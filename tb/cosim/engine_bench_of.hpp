@@ -95,6 +95,10 @@ class bench final : public engine_bench {
       if (device_.error()) wires_.fail("the triangle queue overflowed");
       throw_failure();
     }
+    device_.wave().close();
+    if (!device_.wave().begun())
+      throw input_error("--trace-from: " + std::to_string(settings_.trace_from) + " is after the last clock of this run, which is " +
+                        std::to_string(wires_.clocks));
     return result;
   }
 
@@ -107,6 +111,11 @@ class bench final : public engine_bench {
     if (wires_.failure.empty()) return;
     const std::string what = wires_.failure;
     wires_.failure.clear();
+    fail(what);
+  }
+  // What the waveform has until here is what one wants to see.
+  [[noreturn]] void fail(std::string const& what) {
+    device_.wave().close();
     throw cosim_error(what);
   }
   void watch(std::uint64_t begun) {
@@ -118,7 +127,7 @@ class bench final : public engine_bench {
       link_counts const& c = o->counts();
       text += " " + c.name + (c.waiting ? ": a word waits" : ": idle") + " after " + std::to_string(c.moved) + ";";
     }
-    throw cosim_error(text);
+    fail(text + " clock " + std::to_string(wires_.clocks));
   }
 
   template <class Word>

@@ -13,6 +13,7 @@
 #include "tb/cosim/map_words.hpp"
 #include "tb/cosim/ports.hpp"
 #include "tb/cosim/ports_of_lanes.hpp"
+#include "tb/cosim/waveform.hpp"
 
 namespace relievo::tb {
 
@@ -58,7 +59,9 @@ class engine_device : public sc_core::sc_module {
       : sc_module(name), links_(l), wires_(wires) {
     context_.randReset(2);
     context_.randSeed(settings.reset_seed);
+    context_.traceEverOn(!settings.trace.empty());
     model_ = std::make_unique<Model>(&context_);
+    wave_ = std::make_unique<waveform<Model>>(settings, *model_);
     model_->clk_i = 0;
     model_->rst_ni = 0;
     model_->start_i = 0;
@@ -81,6 +84,7 @@ class engine_device : public sc_core::sc_module {
     return list;
   }
   void finish() { model_->final(); }
+  waveform<Model>& wave() { return *wave_; }
 
  private:
   template <class Request, class Answer, class Port>
@@ -161,6 +165,7 @@ class engine_device : public sc_core::sc_module {
     const auto before = handshake();
     put_inputs();
     model_->eval();
+    wave_->before_edge(wires_.clocks);
     static char const* const names[6] = {
         "base triangles: ready",           "output triangles: valid",      "summed-area table requests: valid",
         "profile samples requests: valid", "displacement requests: valid", "normal map requests: valid"};
@@ -171,12 +176,14 @@ class engine_device : public sc_core::sc_module {
     was_running_ = model_->rst_ni != 0;
     model_->clk_i = 1;
     model_->eval();
+    wave_->after_edge(wires_.clocks);
     model_->clk_i = 0;
     get_outputs();
   }
 
   VerilatedContext context_;
   std::unique_ptr<Model> model_;
+  std::unique_ptr<waveform<Model>> wave_;
   const keep_coverage kept_{context_};
   links& links_;
   bench_wires& wires_;

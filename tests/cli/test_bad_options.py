@@ -30,6 +30,7 @@ BAD = [
     ("--max-generation", "16"), ("--max-generation", "-1"), ("--max-generation", "2.5"), ("--max-generation", "99999999999"),
     ("--queue", "random"),
     ("--stall", "100"), ("--stall", "-1"), ("--idle", "100"), ("--idle", "x"), ("--seed", "x"), ("--watchdog", "x"),
+    ("--trace", "out.fst"), ("--trace", "out.vcd"), ("--trace-from", "5"), ("--trace-cycles", "5"), ("--trace-cycles", "x"),
     ("--latency", "0"), ("--latency", "5-2"), ("--latency", "1-20000"), ("--latency", "x"), ("--latency", "3-"),
 ]
 

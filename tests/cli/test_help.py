@@ -7,7 +7,7 @@ SCENE = ["--mesh", "--displacement", "--scale", "--bias", "--sample-range", "--t
          "--near", "--far", "--viewport"]
 EDGE = ["--tests", "--normal-threshold", "--height-threshold", "--height-mode", "--profile-threshold", "--highlight-threshold",
         "--half-vector", "--view-threshold", "--max-generation", "--queue", "--cull"]
-CIRCUIT = ["--stall", "--idle", "--latency", "--seed"]
+CIRCUIT = ["--stall", "--idle", "--latency", "--seed", "--trace", "--trace-from", "--trace-cycles"]
 OUTPUT = ["-o", "--raw", "--report", "--image", "--wireframe"]
 OPTIONS = {
     ("tessellate",): ["--engine", "--model", "--vectors", "--base-triangle"] + CIRCUIT + SCENE + EDGE + OUTPUT,
