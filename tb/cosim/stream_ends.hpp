@@ -25,6 +25,7 @@ class source : public sc_core::sc_module {
     at_ = 0;
   }
   std::size_t sent() const { return at_; }
+  void set_pace(pacer const& pace) { pace_ = pace; }
 
  private:
   void step() {
@@ -60,6 +61,7 @@ class sink : public sc_core::sc_module {
     dont_initialize();
   }
   std::function<void(Word const&)> take;
+  void set_pace(pacer const& pace) { pace_ = pace; }
 
  private:
   void step() {
