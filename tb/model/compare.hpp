@@ -6,6 +6,7 @@
 //   Of several words that differ the one furthest up the data path is told: what follows from it differs too.
 //   Counters are compared too: none of them depends on time but those of the queue, which are left out where the order is free.
 #pragma once
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -18,14 +19,14 @@ namespace relievo::tb {
 
 // One triangle that differs.
 struct found_difference {
-  std::string names[2];             // of the runs
-  std::string unit;                 // whose register differs; pass_or_tessellate where a run split otherwise
-  std::optional<field> at;          // none: only one of the runs has the triangle
-  std::int64_t words[2] = {0, 0};   // of that field
-  std::size_t words_different = 0;  // in this triangle
-  std::size_t place = 0;            // of the triangle in its run
-  int side = 0;                     // whose triangle it is: that of the first run unless only the second has it
-  std::uint64_t path = 1;           // golden's name of it; 1 for a base triangle, or where no one knows (path_in)
+  std::array<std::string, 2> names;  // of the runs
+  std::string unit;                  // whose register differs; pass_or_tessellate where a run split otherwise
+  std::optional<field> at;           // none: only one of the runs has the triangle
+  std::int64_t words[2] = {0, 0};    // of that field
+  std::size_t words_different = 0;   // in this triangle
+  std::size_t place = 0;             // of the triangle in its run
+  std::size_t side = 0;              // whose triangle it is: that of the first run unless only the second has it
+  std::uint64_t path = 1;            // golden's name of it; 1 for a base triangle, or where no one knows (path_in)
   golden::triangle_out triangle;
 };
 
