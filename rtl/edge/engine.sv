@@ -73,8 +73,10 @@ module engine
   // Triangles between their pop and their children: those of two maps' latencies and of all pipelines.
   localparam int unsigned FlightDepth = 2 * InFlight + 256;
   // Whole triangles leave at one a clock and splits at one in two to four; each must be able to wait for a run of the other kind to end.
-  localparam int unsigned WholeDepth = 32;
-  localparam int unsigned ChildrenDepth = 32;
+  // One lane answers a triangle in two clocks or three, and the runs are short: 16 places, which an FPGA's small memories have. Of block
+  // memories the children of 32 splits would take 160.
+  localparam int unsigned WholeDepth = Lanes == 1 ? 16 : 32;
+  localparam int unsigned ChildrenDepth = Lanes == 1 ? 16 : 32;
 
   generation_t max_generation;
   assign max_generation = regs_i.pass.max_generation;
