@@ -1,10 +1,9 @@
 // told_difference: what compare and replay say of the first triangle that differs: its line, and a command that runs just that again.
 //
-//   command_text(app, more)                  the command line as it was given, without its outputs, with `more` at its end
-//   told_difference(c, sc, app, only, again) the comparison's line with golden's path of splits, and "replay: COMMAND" with the option
-//   `only`
-//     and the base triangle at its end when that triangle alone differs too (again runs it); else the command for the whole scene, for a
-//     fault that takes other triangles under way
+//   command_text(app, more)                    the command line as it was given, without its outputs, with `more` at its end
+//   told_difference(c, sc, app, only, again)   the comparison's line with golden's path of splits, and "replay: COMMAND": with the option
+//                                              `only` and the base triangle at its end when that triangle alone differs too (again runs
+//                                              it), else for the whole scene: the fault takes other triangles under way
 #pragma once
 #include <CLI/CLI.hpp>
 #include <functional>

@@ -1,12 +1,12 @@
 // foreign_bench: somebody else's circuit of a unit among the SystemC modules of the bench: source, sink, a checker on both links, watchdog.
 //
-//   foreign_bench<Model> bench(unit)          one a process
-//   bench.run(traffic, in, regs, expected)    reset, registers, words in, and words out held against what is expected in order; the run
-//   ends
-//     with the first that differs, and its clock
+//   foreign_bench<Model> bench(unit, ...)     one a process
+//   bench.run(traffic, in, regs, expected)    reset, registers, words in; the words out are held against those expected, in order, and the
+//                                             run ends with the first that differs, and its clock
 //   Errors: cosim_error when a rule of a link is broken, a word too many comes, the bits beside a word are not zero, a register write is
-//   refused or nothing moves for 10,000 clocks. The module's inputs change at the falling edge and its outputs are looked at before the
-//   rising one, so that a ready that follows an input within the clock is allowed here, other than between units of the house.
+//   refused, or nothing moves for 10,000 clocks.
+//   The module's inputs change at the falling edge and its outputs are looked at before the rising one, so that a ready which follows an
+//   input within the clock is allowed here, other than between units of the house.
 #pragma once
 #include <verilated.h>
 

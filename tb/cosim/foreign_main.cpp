@@ -1,5 +1,4 @@
-// The bench around somebody else's circuit of a unit, one program a circuit (docs/foreign_rtl.md; relievo_foreign_rtl in
-// tb/CMakeLists.txt).
+// The bench around somebody else's circuit of a unit, one program a circuit: docs/foreign_rtl.md; built by relievo_foreign_rtl in tb.
 //
 //   foreign_UNIT [--vectors N] [--seed N] [--interval N] [--regs-offset N] [FILE.vec]
 //     words: every word of the input at its corners before three backgrounds, then N random ones (uniform, of random magnitude, corners,

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <string_view>
 
 #include "tb/host/input_error.hpp"
 
@@ -12,7 +13,7 @@ namespace relievo::tb {
 
 namespace {
 
-bool ends_with(std::string const& text, std::string const& end) {
+bool ends_with(std::string const& text, std::string_view end) {
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
@@ -27,7 +28,15 @@ std::string line(fst_signal const& s) { return (s.bits == 1 ? binary : hexadecim
 
 using port_list = std::vector<fst_signal const*>;
 
-// The ports of one scope: its links, then what else goes in and out; empty without a link.
+// How the signals of a link end: into a unit, out of it, and between its parts.
+struct link_names {
+  std::string_view valid;
+  char const *ready, *word, *more;
+};
+constexpr link_names kinds[] = {
+    {"_valid_i", "_ready_o", "_i", "_mask_i"}, {"_valid_o", "_ready_i", "_o", "_mask_o"}, {"_valid", "_ready", "", "_data"}};
+
+// The signals of one scope: its links, then what else goes in and out; empty without a link.
 std::string lines_of(port_list const& ports) {
   std::vector<bool> shown(ports.size(), false);
   const auto show = [&](std::string const& name) -> std::string {
@@ -39,14 +48,14 @@ std::string lines_of(port_list const& ports) {
     return "";
   };
   std::string links;
-  for (fst_signal const* p : ports) {
-    const bool in = ends_with(p->name, "_valid_i");
-    if (!in && !ends_with(p->name, "_valid_o")) continue;
-    const std::string stem = p->name.substr(0, p->name.size() - 8);
-    const std::string word = stem + (in ? "_i" : "_o");
-    links += group(
-        stem, show(p->name) + show(stem + (in ? "_ready_o" : "_ready_i")) + show(word) + show(stem + (in ? "_mask_i" : "_mask_o")), true);
-  }
+  for (fst_signal const* p : ports)
+    for (link_names const& names : kinds)
+      if (ends_with(p->name, names.valid)) {
+        const std::string stem = p->name.substr(0, p->name.size() - names.valid.size());
+        const std::string valid = show(p->name);
+        links += group(stem, valid + show(stem + names.ready) + show(stem + names.word) + show(stem + names.more), true);
+        break;
+      }
   if (links.empty()) return "";
   std::string others;
   for (std::size_t i = 0; i < ports.size(); ++i) {

@@ -1,11 +1,10 @@
 // gtkwave_save: the signals of an FST file of a circuit, and a save file that shows them in GTKWave grouped by unit.
 //
-//   read_fst(file)           all signals with their scopes, and the times of the first and the last dump; input_error when it is no FST
-//   file gtkwave_save(file)       the text of the save file: clock and reset, then a group for every unit with links (the top open, the
-//   units
-//     within it closed): valid, ready and word of each, whose ports are called X_valid_i, X_ready_o and X_i by the house's rule (or _o, _i,
-//     _o), then its other ports but for the registers. Units under a lane or the queue carry its name. Read from the file, so that every
-//     name is there.
+//   read_fst(file)       all signals with their scopes, and the times of the first and the last dump; input_error when it is no FST file
+//   gtkwave_save(file)   the text of the save file: clock and reset, then a group for every unit with links (the top open, the units within
+//     it closed): valid, ready and word of each link, then the unit's other ports but for the registers. By the house's rule a link X has
+//     X_valid_i, X_ready_o and X_i on the unit it goes into, X_valid_o, X_ready_i and X_o on the one it comes from, and X_valid, X_ready
+//     and X (or X_data) between the parts of a unit. All names are read from the file, so that each is there.
 #pragma once
 #include <cstdint>
 #include <string>

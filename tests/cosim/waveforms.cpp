@@ -136,12 +136,17 @@ TEST(waveforms, the_save_file_names_what_is_there) {
     }
   }
   EXPECT_EQ(depth, 0);
-  for (char const* unit : {"engine", "engine.i_queue", "engine.gen_lane[0].i_lane", "in", "out", "table_req", "table_rsp", "push", "pop"})
+  for (char const* unit :
+       {"engine", "engine.i_queue", "engine.gen_lane[0].i_lane", "engine.gen_lane[0].i_lane.i_sht", "engine.gen_lane[0].i_lane.i_pt",
+        "engine.gen_lane[0].i_lane.i_normal", "in", "out", "table_req", "table_rsp", "push", "pop"})
     EXPECT_EQ(groups.count(unit), 1u) << unit;
   // Valid, ready and word of every link of the top, the words with their width.
   for (char const* link : {"in_valid_i", "in_ready_o", "out_valid_o", "out_ready_i", "table_req_valid_o[0:0]", "table_rsp_valid_i[0:0]"})
     EXPECT_EQ(shown.count(std::string("TOP.engine.") + link), 1u) << link;
   EXPECT_EQ(std::count_if(shown.begin(), shown.end(), [](std::string const& n) { return n.rfind("TOP.engine.in_i[", 0) == 0; }), 1);
+  // Links between the parts of a unit.
+  for (char const* name : {"TOP.engine.ready_valid", "TOP.engine.ready_ready", "TOP.engine.collected_valid", "TOP.engine.collected_ready"})
+    EXPECT_EQ(shown.count(name), 1u) << name;
 }
 
 TEST(waveforms, a_window_after_the_run_is_refused) {
