@@ -123,7 +123,8 @@ class unit {
               answer any{};
               draw_vector(any, draw::uniform, g);
               tb::put(m.quad_rsp_i, any);
-            }};
+            },
+            [](Model const& m) { return m.quad_req_valid_o != 0; }};
   }
   static texel_quad any_answer() {
     texel_quad any{};

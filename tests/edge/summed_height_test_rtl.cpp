@@ -4,6 +4,10 @@
 // verilate: Vsummed_height_test_12 ReadsPerClock=12
 // summed_height_test: the circuit equals the kernel with 1, 3, 4 and 12 words a clock, on every kind of map under all traffic, and at its
 // thresholds; an edge takes twelve words and 12, 4, 3 or 1 clocks, 63 clocks and the memory's later, more across wrapped borders.
+#include <cstdlib>
+#include <memory>
+#include <string>
+
 #include "Vsummed_height_test_1.h"
 #include "Vsummed_height_test_12.h"
 #include "Vsummed_height_test_3.h"
@@ -141,6 +145,42 @@ TYPED_TEST(summed_height_test, rtl_equals_hls_on_the_longest_edges) {
       };
       clocks_of<TypeParam>({0, 0, 1, 4}, map, regs, across, rtl_vector_count() / 1000 + 1, counts);
     }
+}
+
+// Across the largest map: an area of 2^24 around the middle, the only one with that bit. The table is of no map, all zeros but for the word
+// that the middle's sum begins with, so that the sum is that word; the limit of the mean is met exactly, and missed by one.
+TYPED_TEST(summed_height_test, rtl_equals_hls_with_the_largest_area) {
+  using model = typename TypeParam::model;
+  using requests = group<table_request, TypeParam::reads>;
+  constexpr std::size_t size = 8192;
+  const std::unique_ptr<std::uint64_t, void (*)(void*)> words(static_cast<std::uint64_t*>(std::calloc(size * size, sizeof(std::uint64_t))),
+                                                              std::free);
+  ASSERT_NE(words, nullptr);
+  const auto place_of = [](std::int64_t x, std::int64_t y) { return static_cast<std::size_t>(y) * size + static_cast<std::size_t>(x); };
+  const auto answers = in_group<TypeParam::reads>([&](table_request const& r) {
+    const std::uint64_t word = r.read ? words.get()[place_of(raw(r.x), raw(r.y))] : 0;
+    return table_word{hls::from_raw<formats::table_sum>(static_cast<std::int64_t>(word))};
+  });
+  vector edge{};
+  edge.map.width = edge.map.height = hls::from_raw<formats::map_size>(size);
+  for (int i = 0; i < 2; ++i) edge.in.u2[i] = hls::from_raw<formats::coordinate>(8191 * 2048);
+  set_midpoint(edge.in);
+  edge.regs.average = true;
+  edge.regs.average_threshold = hls::from_raw<formats::average_threshold>(3 * 16);
+  std::string seen;
+  for (const int off : {-1, 0, 1}) {
+    // Of the rectangle [2048, 6144) in both axes the high corner; all others are zero.
+    words.get()[place_of(6143, 6143)] = static_cast<std::uint64_t>((std::int64_t(3) << 24) + off);
+    stream_test<model, vector>(
+        {0, 0, 1, 1}, [&](vector& v, generator&) { v = edge; },
+        [&](vector const& v) {
+          const auto out = hls::summed_height_test(v.in, v.map, v.regs, {words.get()});
+          seen += out.sht ? '1' : '0';
+          return out;
+        },
+        {RELIEVO_MEMORY_PORT(model, table, requests, answers)}, 1);
+  }
+  EXPECT_EQ(seen, "001") << "the kernel does not stand at the limit";
 }
 
 // On small maps, coordinates three turns apart: only there are extents longer than a quarter of a wrapped axis.

@@ -10,9 +10,10 @@
 //   traffic     how often a source idles and a sink stalls, in sixteenths, and the latency of the memories, fixed or random; they also
 //               refuse requests as often as the sink stalls
 //   all_traffic() is {no idle, idle} x {no stall, stall} x {latency 1, random}.
-//   The registers are drawn once a call. in_i and the answers carry random bits while they are not valid. Checked besides the words:
-//   out holds while it is not taken, nothing comes out for which nothing went in, nothing stays behind, and a watchdog of 10,000 clocks
-//   without a word.
+//   The registers are drawn once a call. in_i and the answers carry random bits while they are not valid. Before the reset the unit is
+//   fed, answered and stalled at random, so that whatever is valid in it must be forgotten. Checked besides the words: out holds while
+//   it is not taken, nothing comes out for which nothing went in, nothing stays behind, neither a ready nor in_valid_i reaches another
+//   ready or valid within a clock, and a watchdog of 10,000 clocks without a word.
 #pragma once
 #include <verilated.h>
 
@@ -44,21 +45,24 @@ struct memory_port {
   std::function<std::function<void(Model&)>(Model const&)> answer;  // the request of now -> what puts its answer on the port
   std::function<void(Model&, bool)> set_valid;
   std::function<void(Model&, generator&)> scramble;  // any word on the port while it answers nothing
+  std::function<bool(Model const&)> asks;            // a request is valid
 };
 
-#define RELIEVO_MEMORY_PORT(Model, prefix, Request, answer_of)                                                       \
-  ::relievo::test::memory_port<Model> {                                                                              \
-    [](Model const& m) { return m.prefix##_req_valid_o && m.prefix##_req_ready_i; },                                 \
-        [](Model& m, bool ready) { m.prefix##_req_ready_i = ready; },                                                \
-        [=](Model const& m) -> std::function<void(Model&)> {                                                         \
-          const auto response = answer_of(::relievo::tb::get<Request>(m.prefix##_req_o));                            \
-          return [response](Model& to) { ::relievo::tb::put(to.prefix##_rsp_i, response); };                         \
-        },                                                                                                           \
-        [](Model& m, bool valid) { m.prefix##_rsp_valid_i = valid; }, [=](Model& m, ::relievo::test::generator& g) { \
-          decltype(answer_of(Request{})) any{};                                                                      \
-          draw_vector(any, ::relievo::test::draw::uniform, g);                                                       \
-          ::relievo::tb::put(m.prefix##_rsp_i, any);                                                                 \
-        }                                                                                                            \
+#define RELIEVO_MEMORY_PORT(Model, prefix, Request, answer_of)                               \
+  ::relievo::test::memory_port<Model> {                                                      \
+    [](Model const& m) { return m.prefix##_req_valid_o && m.prefix##_req_ready_i; },         \
+        [](Model& m, bool ready) { m.prefix##_req_ready_i = ready; },                        \
+        [=](Model const& m) -> std::function<void(Model&)> {                                 \
+          const auto response = answer_of(::relievo::tb::get<Request>(m.prefix##_req_o));    \
+          return [response](Model& to) { ::relievo::tb::put(to.prefix##_rsp_i, response); }; \
+        },                                                                                   \
+        [](Model& m, bool valid) { m.prefix##_rsp_valid_i = valid; },                        \
+        [=](Model& m, ::relievo::test::generator& g) {                                       \
+          decltype(answer_of(Request{})) any{};                                              \
+          draw_vector(any, ::relievo::test::draw::uniform, g);                               \
+          ::relievo::tb::put(m.prefix##_rsp_i, any);                                         \
+        },                                                                                   \
+        [](Model const& m) { return m.prefix##_req_valid_o != 0; }                           \
   }
 
 template <class Model, class V, class Shape, class Expected>
@@ -86,6 +90,25 @@ std::uint64_t stream_test(traffic const& t, Shape shape, Expected expected, std:
   detail::drive_regs(model, v, 0);
   detail::drive_map(model, v, 0);
   model.clk_i = 0;
+  const auto edge = [&] {
+    model.clk_i = 1;
+    model.eval();
+    model.clk_i = 0;
+    model.eval();
+  };
+  model.rst_ni = 1;
+  model.in_valid_i = 1;
+  for (int i = 0; i < 40; ++i) {
+    model.out_ready_i = g.chance(2);
+    draw_vector(v.in, draw::uniform, g);
+    tb::put(model.in_i, v.in);
+    for (auto const& p : ports) {
+      p.set_ready(model, g.chance(2));
+      p.set_valid(model, g.chance(2));
+      p.scramble(model, g);
+    }
+    edge();
+  }
   model.rst_ni = 0;
   model.in_valid_i = 0;
   model.out_ready_i = 0;
@@ -93,14 +116,16 @@ std::uint64_t stream_test(traffic const& t, Shape shape, Expected expected, std:
     p.set_ready(model, false);
     p.set_valid(model, false);
   }
-  for (int i = 0; i < 4; ++i) {
-    model.clk_i = 1;
-    model.eval();
-    model.clk_i = 0;
-    model.eval();
-  }
+  for (int i = 0; i < 4; ++i) edge();
   model.rst_ni = 1;
 
+  // What the unit says on its links.
+  const auto said = [&] {
+    std::vector<bool> list = {model.in_ready_o != 0, model.out_valid_o != 0};
+    for (auto const& p : ports) list.push_back(p.asks(model));
+    return list;
+  };
+  std::vector<bool> readies(ports.size());
   bool offered = false, held = false;
   Out held_out{};
   // Some clocks more than there are words: nothing may follow the last.
@@ -122,9 +147,11 @@ std::uint64_t stream_test(traffic const& t, Shape shape, Expected expected, std:
       tb::put(model.in_i, any.in);
     }
     model.in_valid_i = offered;
-    model.out_ready_i = g.below(16) >= t.stall;
+    const bool out_ready = g.below(16) >= t.stall;
+    model.out_ready_i = out_ready;
     for (std::size_t i = 0; i < ports.size(); ++i) {
-      ports[i].set_ready(model, g.below(16) >= t.stall);
+      readies[i] = g.below(16) >= t.stall;
+      ports[i].set_ready(model, readies[i]);
       const bool due = !answers[i].empty() && answers[i].front().due <= clocks;
       ports[i].set_valid(model, due);
       if (due) {
@@ -135,6 +162,22 @@ std::uint64_t stream_test(traffic const& t, Shape shape, Expected expected, std:
       }
     }
     model.eval();
+    // With every ready and in_valid_i turned round for a moment the unit says the same.
+    if (clocks % 3 == 0) {
+      const std::vector<bool> before = said();
+      model.in_valid_i = !offered;
+      model.out_ready_i = !out_ready;
+      for (std::size_t i = 0; i < ports.size(); ++i) ports[i].set_ready(model, !readies[i]);
+      model.eval();
+      if (said() != before) {
+        ADD_FAILURE() << "a ready or in_valid reaches in_ready, out_valid or a request within the clock, clock " << clocks;
+        return 0;
+      }
+      model.in_valid_i = offered;
+      model.out_ready_i = out_ready;
+      for (std::size_t i = 0; i < ports.size(); ++i) ports[i].set_ready(model, readies[i]);
+      model.eval();
+    }
 
     // What moves at the coming edge.
     const bool taken = offered && model.in_ready_o;
@@ -184,10 +227,7 @@ std::uint64_t stream_test(traffic const& t, Shape shape, Expected expected, std:
       ADD_FAILURE() << "nothing moved for 10,000 clocks: " << sent << " words in, " << received << " out";
       return 0;
     }
-    model.clk_i = 1;
-    model.eval();
-    model.clk_i = 0;
-    model.eval();
+    edge();
     ++clocks;
   }
   for (auto const& list : answers)

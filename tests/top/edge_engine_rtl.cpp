@@ -88,7 +88,12 @@ TEST(edge_engine, registers_are_taken_over_at_start) {
 TEST(edge_engine, registers_of_a_map_are_taken_over_with_its_first_texel) {
   generator g("shadow of a map");
   session it;
-  const engine_scene s = good_scene(g), other = good_scene(g);
+  engine_scene s(test_map(7, 5, fill::random, g)), other = good_scene(g);
+  s.regs.map = s.map.regs(true, false);
+  // Slopes of some, not the same on both axes.
+  s.normal_regs.gradient_u = hls::from_raw<formats::gradient>(500);
+  s.normal_regs.gradient_v = hls::from_raw<formats::gradient>(-300);
+  s.build_normals();
   it.bench.driver.set(s.regs);
   it.bench.driver.set(s.normal_regs);
   std::vector<std::uint16_t> const& words = s.map.words();
@@ -288,6 +293,30 @@ TEST(edge_engine, survives_a_packet_that_breaks_off) {
     });
 }
 
+// The records that were taken are of the mesh, the one that waits for the engine among them: with the sink closed the engine takes so many.
+TEST(edge_engine, stops_behind_the_record_that_waits) {
+  tell([](session& it, engine_scene s) {
+    s.regs.pass.max_generation = hls::from_raw<formats::generation>(0);
+    s.regs.pass.cull = false;
+    while (s.base.size() < 60) s.base.push_back(s.base[s.base.size() % 3]);
+    for (hls::triangle& t : s.base) t.last = false;
+    it.bench.sink_open = false;
+    it.begin(s, 0);
+    it.send(s);
+    it.bench.clock(5000);
+    const std::size_t taken = s.base.size() - it.bench.base.size();
+    ASSERT_LT(taken, s.base.size()) << "nothing waits";
+    it.bench.driver.stop();
+    it.bench.clock(100);
+    it.bench.sink_open = true;
+    it.expect_mesh(first_of(s, taken), code::stopped);
+    // What follows is of no packet, and swallowed.
+    it.bench.clock(500);
+    ASSERT_TRUE(it.bench.idle());
+    it.bench.driver.clear_error();
+  });
+}
+
 // ---- errors of a map; the builders still put out a whole map of some kind, or nothing
 TEST(edge_engine, survives_a_map_of_a_wrong_size) {
   for (const std::int64_t size : {0, 8193, 16383})
@@ -352,6 +381,32 @@ TEST(edge_engine, survives_a_map_that_does_not_end) {
       it.expect_line(code::map_missing_last, "without tlast");
       it.bench.driver.clear_error();
     });
+}
+
+// The host may have seen it while the last row is still coming out; then nothing is swallowed.
+TEST(edge_engine, forgets_the_rest_of_a_map_that_the_host_has_seen_before_it_was_out) {
+  session it;
+  generator g("flush");
+  it.run(good_scene(g), true);
+  engine_scene s(test_map(100, 2, fill::random, g));
+  s.regs.map = s.map.regs(false, true);
+  s.build_normals();
+  it.bench.driver.set(s.regs);
+  it.bench.driver.set(s.normal_regs);
+  it.bench.table.clear();
+  it.bench.normals.clear();
+  for (std::uint16_t const word : s.map.words()) it.bench.texels.push_back({word, false});
+  while (!it.bench.texels.empty()) it.bench.clock();
+  it.bench.clock(5);
+  it.expect_line(code::map_missing_last, "without tlast");
+  it.bench.driver.clear_error();
+  const tb::edge_engine_state state = it.bench.driver.state();
+  ASSERT_TRUE(state.map_busy) << "too late";
+  ASSERT_FALSE(state.error);
+  it.wait_for_map();
+  it.expect_maps(s);
+  ASSERT_FALSE(it.bench.driver.state().swallowing);
+  it.run(good_scene(g), true);
 }
 
 }  // namespace
