@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # A longer campaign with the same test programs: scripts/regress.sh [--seeds N] [--vectors N]
 #   first the circuit with more build parameters: every scene in the smallest queue, the throughput with each, the top with AXI4 memories;
+#   then what of the circuits the regression reaches (scripts/coverage.sh);
 #   then the units under AddressSanitizer and UndefinedBehaviorSanitizer, with few vectors; then
 #   units again with seeds 2..N+1 and so many random vectors each (default 10 seeds, 1,000,000 vectors). Stops at the first failure, whose
 #   seed is printed.
@@ -20,6 +21,7 @@ done
 "$root/scripts/install.sh"
 "$root/scripts/build.sh" campaign cosim_tests rtl_edge_engine_axi
 ctest --test-dir "$root/build-campaign" -L 'cosim|campaign' -j2 --output-on-failure
+"$root/scripts/coverage.sh"
 "$root/scripts/build.sh" release unit_tests
 "$root/scripts/build.sh" sanitize unit_tests
 RELIEVO_VECTORS=5000 "$root/build-sanitize/tests/unit_tests" --gtest_brief=1

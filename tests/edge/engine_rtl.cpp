@@ -112,6 +112,22 @@ TEST(engine, a_mesh_may_end_without_a_last_triangle) {
   expect_same_run(run_circuit(circuit, whole, {}), expected);
 }
 
+// The place of a vertex and its normal clip, and each counts.
+TEST(engine, a_vertex_saturates_twice) {
+  loop circuit;
+  const auto kernel = std::make_unique<hls::engine<49>>();
+  engine_scene s = still_scene(1);
+  s.regs.displace.bias = hls::from_raw<formats::height>(hls::fixed<formats::height>::max_raw);
+  for (hls::vertex& v : s.base[0].v)
+    for (int i = 0; i < 3; ++i) {
+      v.n[i] = hls::from_raw<formats::unit>(32767);
+      v.t[i] = hls::from_raw<formats::unit>(i == 0 ? -32768 : 32767);
+    }
+  const hls_run expected = run_hls(*kernel, s);
+  EXPECT_EQ(expected.counts.saturations, 6u);
+  expect_same_run(run_circuit(circuit, s, {}), expected);
+}
+
 // ---- clocks ------------------------------------------------------------------------------------------------------------------------
 
 // Of what a triangle passes, by the headers of the units.
