@@ -89,7 +89,7 @@ class waveform {
     return !settings_.trace.empty() && !closed_ && clock >= settings_.trace_from && clock - settings_.trace_from < settings_.trace_cycles;
   }
 
-  cosim_settings const& settings_;
+  const cosim_settings settings_;  // its own: who made the bench may be gone
   Model& model_;
   std::shared_ptr<fst_file> file_;  // shared: its deleter is only linked where one is made
   bool begun_ = false, closed_ = false;
