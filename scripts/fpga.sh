@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Takes circuits alone through Yosys and nextpnr for the ECP5-85: scripts/fpga.sh MODULE...|all
 #   Prints what each takes and its highest clock, and leaves out/fpga.json. What has not changed since is not measured again.
-#   Exit code 1 when one has a latch, a combinational loop or an undriven net, or stays below 100 MHz; 77 without PyPI.
+#   Exit code 1 when one has a latch, a combinational loop or an undriven net, does not fit, or stays below 100 MHz; 77 without PyPI.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 (($#)) || { sed -n '2,4s/^# //p' "${BASH_SOURCE[0]}" >&2; exit 2; }

@@ -33,11 +33,12 @@ SKIPPED = {
     "stream_fifo": "a cell of any type and depth, measured in what uses it",
     "stream_pipe": "a cell of any type and depth, measured in what uses it",
 }
-# What the engine is made with here: one lane, the paper's four cycles, records that fit the block RAMs.
+# What the engine is made with here: one lane, the paper's four cycles, a queue of one row of block RAMs: an edge takes four clocks, so that
+# a round of some 240 holds few triangles.
 PARAMETERS = {
-    "edge_engine": ("ReadsPerClock=3", "SamplesPerClock=1", "QueueDepth=1024"),
+    "edge_engine": ("ReadsPerClock=3", "SamplesPerClock=1", "QueueDepth=512"),
     "edge_lane": ("ReadsPerClock=3", "SamplesPerClock=1"),
-    "engine": ("Lanes=1", "ReadsPerClock=3", "SamplesPerClock=1", "QueueDepth=1024"),
+    "engine": ("Lanes=1", "ReadsPerClock=3", "SamplesPerClock=1", "QueueDepth=512"),
     "summed_height_test": ("ReadsPerClock=3",),
 }
 WHOLE = ("edge_engine", "edge_lane", "engine")
@@ -177,9 +178,9 @@ def measure(root, path, folder):
     result["LUT4"] += 2 * used["TRELLIS_RAMW"][0]
     # Without the shell's.
     result["flip-flops"] = stat[f"\\{module}"]["num_cells_by_type"].get("TRELLIS_FF", 0)
-    for name, kind in COLUMNS:
-        if result[name] > used[kind][1]:
-            raise Refused(f"does not fit: {result[name]:,} {name}, there are {used[kind][1]:,}; {result}")
+    over = [f"{result[name]:,} {name} of {used[kind][1]:,}" for name, kind in COLUMNS if result[name] > used[kind][1]]
+    if over:
+        result["over"] = over
     if module not in WHOLE:
         clocks = json.loads(report.read_text())["fmax"].values()
         result["MHz"] = round(min((entry["achieved"] for entry in clocks), default=0), 1)
@@ -200,8 +201,8 @@ def table(results):
     lines = [f"| circuit | {' | '.join(names)} | MHz | latency |", "|---|" + "--:|" * (len(names) + 2)]
     for module, row in results.items():
         if "refused" not in row:
-            numbers = [f"{row[name]:,}" for name in names] + [f"{row['MHz']:.0f}" if "MHz" in row else "not placed", row["latency"]]
-            lines.append(f"| `{module}` | {' | '.join(numbers)} |")
+            speed = f"{row['MHz']:.0f}" if "MHz" in row else "does not fit" if "over" in row else "not placed"
+            lines.append(f"| `{module}` | {' | '.join(f'{row[name]:,}' for name in names)} | {speed} | {row['latency']} |")
     return "\n".join(lines)
 
 
@@ -233,6 +234,9 @@ def main():
         if "refused" in old[name]:
             failed += 1
             print(f"{known[name]}: refused: {old[name]['refused']}", flush=True)
+        elif "over" in old[name]:
+            failed += 1
+            print(f"{known[name]}: does not fit: {', '.join(old[name]['over'])}", flush=True)
         elif old[name].get("MHz", LOWEST) < LOWEST:
             failed += 1
             print(f"{known[name]}: slow: {old[name]['MHz']} MHz; {LOWEST} are asked for", flush=True)
