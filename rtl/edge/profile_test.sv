@@ -1,7 +1,7 @@
 // profile_test: how far does the map leave the chord of an edge, and where is the best place for a new vertex?
 //   pt = max e_j > threshold, k = the place that maximises e_j j (n - j) in the middle third, e_j = |D_j - ((n-j) D_0 + j D_n) / n|
 //   contract: hls/edge/profile_test.hpp
-//   parameters  SamplesPerClock  1, 4 or 16 quads asked for at once;  InFlight  groups of them, and edges, between in and out
+//   parameters  SamplesPerClock  1, 2, 4, 8 or 16 quads asked for at once;  InFlight  groups of them, and edges, between in and out
 //   port  quad_*   read port of the displacement map: SamplesPerClock times quad_request_t asked for together, of which those with
 //                  their bit of quad_req_mask_o set are wanted, and SamplesPerClock times texel_quad_t answered together. The requests
 //                  without it may lie anywhere and their answers are not looked at. Wanted lanes are the lowest. The answer comes from
@@ -43,6 +43,10 @@ module profile_test
   input  logic                                quad_rsp_valid_i,
   input  texel_quad_t   [SamplesPerClock-1:0] quad_rsp_i
 );
+  if (SamplesPerClock == 0 || SamplesPerClock > 16 ||
+      (SamplesPerClock & (SamplesPerClock - 1)) != 0) begin : gen_samples_per_clock
+    $error("SamplesPerClock is 1, 2, 4, 8 or 16");
+  end
   localparam int unsigned PlacesLatency = 7;
   localparam int unsigned BilinearLatency = 10;
   localparam int unsigned CountBits = $clog2(InFlight + 1);

@@ -77,6 +77,9 @@ module triangle_queue
   output logic                 idle_o,
   output logic                 error_o
 );
+  if (Depth < 4 || Depth > 65535) begin : gen_depth
+    $error("Depth is 4 to 65535");
+  end
   localparam int unsigned PlaceBits = $clog2(Depth);
   // From -4 Depth to Depth.
   localparam int unsigned SlackBits = CountBits + 4;

@@ -3,6 +3,7 @@
 //   A read port asks with req_valid/req_ready, req, and is answered in order with rsp_valid, rsp, after any number of clocks. An answer
 //   cannot be refused: who asks has a place for it. Requests give coordinates, not addresses, so that a memory may lay out its words
 //   as it likes (banks, tiles); they are always within the map.
+//   A reset ends what was asked: whoever answers is reset too, and no answer of before comes after it.
 //   A port that reads several words a clock asks for them together and is answered together.
 package memory_pkg;
   import formats_pkg::*;

@@ -47,6 +47,9 @@ module summed_area_lookup
   output summed_area_lookup_out_t [Lookups-1:0] out_o,
   output area_t                                 area_o
 );
+  if (InFlight < 2) begin : gen_in_flight
+    $error("InFlight is 2 at least");
+  end
   localparam int unsigned Beats = 4 / ReadsPerClock;
   localparam int unsigned Results = InFlight / Beats + 5;
   if (ReadsPerClock != 1 && ReadsPerClock != 4) begin : gen_bad

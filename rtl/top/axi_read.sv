@@ -58,6 +58,9 @@ module axi_read
   output logic                   m_axi_rready
   // verilog_lint: waive-stop port-name-suffix
 );
+  if (DataBytes < WordBytes) begin : gen_data_bytes
+    $error("DataBytes is WordBytes at least");
+  end
   localparam int unsigned PlaceBits = Words > 1 ? $clog2(Words) : 1;
   localparam int unsigned WordShift = $clog2(WordBytes);
   localparam int unsigned LaneBits = DataBytes > WordBytes ? $clog2(DataBytes / WordBytes) : 1;

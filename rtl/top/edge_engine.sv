@@ -3,7 +3,7 @@
 //   parameters  LANES, 1 or 3; SAT_READS_PER_CLOCK, 1, 3, 4 or 12 words of the summed-area table a clock and lane;
 //               PROFILE_SAMPLES_PER_CLOCK, 1, 4 or 16; QUEUE_DEPTH, 3 MAX_GENERATION + 4 at least;
 //               IN_FLIGHT, edges that wait for memories, more than their latency for full rate
-//   aresetn           low for two clocks at least
+//   aresetn           low for two clocks at least; the memories' too: no answer of before may come after it
 //   s_axil_*          AXI4-Lite: parameters, start, state, counters
 //   s_axis_*          base_triangle_t from bit 0, padded with zeros to bytes; tlast with the last of a mesh
 //   m_axis_*          triangle_out_t likewise
@@ -137,6 +137,7 @@ module edge_engine
   engine_regs_t     written_regs, regs;
   normal_map_regs_t normal_regs;
   logic [31:0]      written_expected, expected, saturations;
+  logic             generation_beyond;
   build_t           build;
   assign build = '{
     lanes: LANES,
@@ -158,6 +159,7 @@ module edge_engine
     .build_i(build),
     .control_o(control),
     .regs_o(written_regs),
+    .generation_beyond_o(generation_beyond),
     .normal_regs_o(normal_regs),
     .expected_o(written_expected)
   );
@@ -173,6 +175,7 @@ module edge_engine
     .max_generation_i(generation_t'(MAX_GENERATION)),
     .control_i(control),
     .regs_i(written_regs),
+    .generation_beyond_i(generation_beyond),
     .expected_i(written_expected),
     .engine_done_i(engine_done),
     .overflow_i(overflow),

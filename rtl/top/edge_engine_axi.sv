@@ -4,6 +4,7 @@
 //   displacement_base_i   texels, 2 bytes each;  table_base_i  words of the summed-area table, 8 bytes of which 40 bits are read
 //   normal_base_i         texels of the normal map, 8 bytes of which 48 bits are read;  all row by row, constant while a mesh runs
 //   m_axi_table_*, _quad_*, _place_*, _normal_*   the table; displacement of profiles, and of new vertices; the map of normals
+//   aresetn               of the memories too: no beat of before may come after it
 //   everything else       as edge_engine.sv; a beat that is not OKAY is its error memory_error
 //
 //   latency and initiation interval: a word a clock and bus, so the four rectangles of an edge take 12 clocks, a sample of a profile, a

@@ -2,7 +2,7 @@
 // the first error for the host.
 //   in    max_generation_i   of the build
 //         control_i          start, stop, clear_error, each for one clock
-//         regs_i, expected_i as the host wrote them
+//         regs_i, expected_i as the host wrote them; generation_beyond_i: a max_generation that regs_i has no room for
 //         engine_done_i, overflow_i       of the engine
 //         input_over_i, input_error_i     no more is to come of the packet; an error found in it, for one clock
 //         map_error_i                     an error of the builders of maps, for one clock
@@ -27,6 +27,7 @@ module edge_engine_control
   input  generation_t        max_generation_i,
   input  control_t           control_i,
   input  engine_regs_t       regs_i,
+  input  logic               generation_beyond_i,
   input  logic [31:0]        expected_i,
   input  logic               engine_done_i,
   input  logic               overflow_i,
@@ -74,7 +75,8 @@ module edge_engine_control
   error_code_e checked;
   always_comb begin
     checked = map_error(regs_i.map.width, regs_i.map.height);
-    if (checked == None && regs_i.pass.max_generation > max_generation_i)
+    if (checked == None &&
+        (generation_beyond_i || regs_i.pass.max_generation > max_generation_i))
       checked = MaxGenerationTooLarge;
   end
   always_ff @(posedge clk_i) begin

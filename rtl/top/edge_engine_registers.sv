@@ -2,10 +2,12 @@
 //   in    s_axil               AXI4-Lite, 32 bits; an address without a register, and a write to one that is only read, give SLVERR
 //         state_i, counters_i, saturations_i, build_i  what the host reads
 //   out   control_o            for one clock each
-//         regs_o, normal_regs_o, expected_o              what the host wrote last
+//         regs_o, normal_regs_o, expected_o              what the host wrote last; a map size that has no room there is the largest
+//         generation_beyond_o  max_generation has no room in regs_o
 //
 //   latency and initiation interval: a write takes 3 clocks, a read 4, one after the other. Registered: all outputs.
 module edge_engine_registers
+  import formats_pkg::*;
   import surface_pkg::*;
   import edge_pkg::*;
   import engine_pkg::*;
@@ -43,6 +45,7 @@ module edge_engine_registers
   input  build_t           build_i,
   output control_t         control_o,
   output engine_regs_t     regs_o,
+  output logic             generation_beyond_o,
   output normal_map_regs_t normal_regs_o,
   output logic [31:0]      expected_o
 );
@@ -120,6 +123,10 @@ module edge_engine_registers
         counters_i[CountProfileSamples];
   end
 
+  function automatic map_size_t map_size(logic [31:0] written);
+    return written > 32'd8192 ? '1 : written[13:0];
+  endfunction
+
   // ---- what the host wrote
   edge_engine__engine_regs__out_t wrote;
   assign wrote = to_engine.engine_regs;
@@ -133,8 +140,8 @@ module edge_engine_registers
     normal_regs_o.normal_shift = to_engine.normal_map_regs.normal_shift.value.value;
   end
   always_comb begin
-    regs_o.map.width = wrote.map.width.value.value;
-    regs_o.map.height = wrote.map.height.value.value;
+    regs_o.map.width = map_size(wrote.map.width.value.value);
+    regs_o.map.height = map_size(wrote.map.height.value.value);
     regs_o.map.wrap_u = wrote.map.wrap_u.value.value;
     regs_o.map.wrap_v = wrote.map.wrap_v.value.value;
     regs_o.displace.scale = wrote.displace.scale.value.value;
@@ -188,13 +195,29 @@ module edge_engine_registers
     regs_o.pass.use_ht = wrote.pass.use_ht.value.value;
     regs_o.pass.use_vt = wrote.pass.use_vt.value.value;
     regs_o.pass.use_ct = wrote.pass.use_ct.value.value;
-    regs_o.pass.max_generation = wrote.pass.max_generation.value.value;
+    regs_o.pass.max_generation = wrote.pass.max_generation.value.value[3:0];
+    generation_beyond_o = wrote.pass.max_generation.value.value > 32'd15;
     regs_o.pass.cull = wrote.pass.cull.value.value;
     regs_o.queue.fifo = wrote.queue.fifo.value.value;
   end
 
   // The codes are listed twice, once for the documents.
-  if (32'(edge_engine_error__memory_error) != 32'(MemoryError)) begin : gen_codes
+  localparam logic [13:0][31:0] Documented = {
+      32'(edge_engine_error__none), 32'(edge_engine_error__map_size_zero),
+      32'(edge_engine_error__map_size_too_large), 32'(edge_engine_error__max_generation_too_large),
+      32'(edge_engine_error__early_last), 32'(edge_engine_error__missing_last),
+      32'(edge_engine_error__last_disagrees), 32'(edge_engine_error__coordinate_outside_map),
+      32'(edge_engine_error__start_while_busy), 32'(edge_engine_error__queue_overflow),
+      32'(edge_engine_error__map_early_last), 32'(edge_engine_error__map_missing_last),
+      32'(edge_engine_error__stopped), 32'(edge_engine_error__memory_error)
+  };
+  localparam logic [13:0][31:0] Used = {
+      32'(None), 32'(MapSizeZero), 32'(MapSizeTooLarge), 32'(MaxGenerationTooLarge),
+      32'(EarlyLast), 32'(MissingLast), 32'(LastDisagrees), 32'(CoordinateOutsideMap),
+      32'(StartWhileBusy), 32'(QueueOverflow), 32'(MapEarlyLast), 32'(MapMissingLast),
+      32'(Stopped), 32'(MemoryError)
+  };
+  if (Documented != Used) begin : gen_codes
     $error("edge_engine.rdl and edge_engine_pkg.sv number the errors differently");
   end
 endmodule

@@ -83,8 +83,10 @@ class link_checker : public sc_core::sc_module, public link_observer {
     const bool ready = !has_ready_ || link_.ready.read();
     if (!wires_.running.read()) {
       held_ = false;
+      if (valid && in_reset_++ > 0) wires_.fail(link_.name + ": valid in reset");
       return;
     }
+    in_reset_ = 0;
     if (held_ && !valid) wires_.fail(link_.name + ": valid fell before the word was taken");
     if (held_ && link_.word.read() != held_word_) wires_.fail(link_.name + ": the word changed before it was taken");
     const bool moves = valid && ready;
@@ -101,6 +103,7 @@ class link_checker : public sc_core::sc_module, public link_observer {
   bench_wires& wires_;
   bool has_ready_;
   bool held_ = false;
+  int in_reset_ = 0;  // clocks of it with valid; in the first one it may still stand
   Word held_word_{};
   link_counts counts_;
 };

@@ -57,9 +57,23 @@ class edge_engine_bench : public tb::register_bus {
   Memories memories;
 
   void reset() {
+    // Two clocks, as the circuit asks for. Nothing may be offered to anybody while it lasts, nor be left of what was under way before.
     model_->aresetn = 0;
     quiet();
-    for (int i = 0; i < 8; ++i) edge();
+    for (int i = 0; i < 2; ++i) {
+      edge();
+      if (i > 0) expect_nothing_valid();
+    }
+    base.clear();
+    texels.clear();
+    packets.clear();
+    memories.forget();
+    offering_base_ = offering_texel_ = offering_aw_ = offering_w_ = offering_ar_ = packet_over_ = false;
+    write_ = {};
+    read_ = {};
+    out_hold_.forget();
+    table_hold_.forget();
+    normal_hold_.forget();
     model_->aresetn = 1;
     edge();
   }
@@ -110,6 +124,12 @@ class edge_engine_bench : public tb::register_bus {
     model_->eval();
     model_->aclk = 0;
     model_->eval();
+  }
+
+  void expect_nothing_valid() {
+    Model const& m = *model_;
+    EXPECT_FALSE(m.m_axis_tvalid || m.s_axil_bvalid || m.s_axil_rvalid || m.table_write_valid_o || m.normal_write_valid_o) << "in reset";
+    memories.expect_nothing_asked(m);
   }
 
   bool moves(std::uint64_t rests) { return g_.below(16) >= rests; }

@@ -1,5 +1,6 @@
 // held_word: the rule of a valid/ready link on the ports of a Verilated model: while valid and not ready, valid and the word hold.
 //   held_word h("name");  h.look(valid, ready, port, clock) in every clock, before the edge; a broken rule is a failure of the test
+//   h.forget()  after a reset
 #pragma once
 #include <gtest/gtest.h>
 
@@ -12,6 +13,8 @@ namespace relievo::test {
 class held_word {
  public:
   explicit held_word(char const* name) : name_(name) {}
+
+  void forget() { held_ = false; }
 
   template <class Port>
   void look(bool valid, bool ready, Port const& port, std::uint64_t clock) {

@@ -1,6 +1,6 @@
 // map_buses: the map memories of a Verilated edge_engine_axi: three memories of bytes behind its four AXI4 read buses, each answering in
 // order, after the traffic's clocks, with stalls.
-//   quiet, load, offer, take   as map_ports.hpp
+//   quiet, load, forget, offer, take   as map_ports.hpp
 //   bad_beats          so many beats to come are answered with SLVERR, and with the right word
 //   Checked: every address is one of a word of the map it is for, aligned; ar holds until it is taken; bursts are of one word.
 #pragma once
@@ -32,6 +32,17 @@ class map_buses {
     });
   }
   void load(engine_scene const& s) { scene_ = &s; }
+  // After a reset.
+  void forget() {
+    for (bus* b : {&table_, &quad_, &place_, &normal_}) {
+      b->beats.clear();
+      b->offered = false;
+      b->hold.forget();
+    }
+  }
+  void expect_nothing_asked(Model const& m) const {
+    EXPECT_FALSE(m.m_axi_table_arvalid || m.m_axi_quad_arvalid || m.m_axi_place_arvalid || m.m_axi_normal_arvalid) << "in reset";
+  }
   void offer(Model& m, traffic const& t, generator& g, std::uint64_t clock) {
     each(m, [&](bus& b, auto ar, auto r) {
       *ar.ready = g.below(16) >= t.stall;

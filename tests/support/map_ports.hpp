@@ -1,5 +1,5 @@
 // map_ports: the map memories behind the read ports of a Verilated edge engine of one lane, 3 table reads and 1 profile sample a clock.
-//   quiet(model)      nothing is answered or taken;  load(scene)  what they hold
+//   quiet(model)      nothing is answered or taken;  load(scene)  what they hold;  forget()  what was asked before a reset
 //   offer(model, traffic, g, clock)   their inputs to the model, before an edge;  take(...)  its requests, at the edge
 //   Only words of the map may be asked for.
 #pragma once
@@ -26,6 +26,15 @@ class map_ports {
     m.table_req_ready_i = m.quad_req_ready_i = m.place_req_ready_i = m.normal_req_ready_i = 0;
     m.table_rsp_valid_i = m.quad_rsp_valid_i = m.place_rsp_valid_i = m.normal_rsp_valid_i = 0;
     m.memory_error_i = 0;
+  }
+  // After a reset.
+  void forget() {
+    table_ = {};
+    quad_ = place_ = {};
+    normal_ = {};
+  }
+  void expect_nothing_asked(Model const& m) const {
+    EXPECT_FALSE(m.table_req_valid_o || m.quad_req_valid_o || m.place_req_valid_o || m.normal_req_valid_o) << "in reset";
   }
   void load(engine_scene const& s) {
     scene_ = &s;

@@ -52,5 +52,25 @@ TEST(edge_engine_axi, tells_of_a_memory_that_fails) {
   }
 }
 
+// Whatever was under way: a mesh, a map, an access of the host, reads of the memories.
+TEST(edge_engine_axi, survives_a_reset_in_the_middle) {
+  generator g("reset");
+  for (traffic const& t : {traffic{0, 0, 1, 1}, traffic{4, 6, 1, 40}}) {
+    session it(t);
+    for (const int clocks : {1, 2, 3, 40, 41, 150, 333, 700, 1500}) {
+      const engine_scene s = good_scene(g);
+      it.build_maps(s);
+      it.begin(s, 0);
+      it.send(s);
+      it.bench.clock(clocks);
+      it.bench.texels.assign(9, {7, false});
+      it.bench.clock(clocks % 13);
+      it.bench.reset();
+      it.run(good_scene(g), true);
+      if (HasFatalFailure()) FAIL() << "reset after " << clocks << " clocks, seed " << seed();
+    }
+  }
+}
+
 }  // namespace
 }  // namespace relievo::test

@@ -32,7 +32,7 @@ class control_bench {
     model_->expected_i = 0;
     model_->engine_done_i = 1;
     model_->input_over_i = 1;
-    model_->overflow_i = model_->memory_error_i = 0;
+    model_->overflow_i = model_->memory_error_i = model_->generation_beyond_i = 0;
     model_->input_error_i = model_->map_error_i = none;
     model_->rst_ni = 0;
     for (int i = 0; i < 4; ++i) clock();

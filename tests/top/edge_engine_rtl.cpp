@@ -3,7 +3,10 @@
 // counters of hls::engine. And every error: its code, an end of the packet, and a good mesh after it.
 #include <gtest/gtest.h>
 
+#include <cstddef>
+
 #include "Vedge_engine.h"
+#include "edge_engine_registers.h"
 #include "tests/support/edge_engine_session.hpp"
 
 namespace relievo::test {
@@ -23,7 +26,8 @@ TEST(edge_engine, says_what_it_was_built_with) {
   EXPECT_EQ(b.max_generation, static_cast<std::uint32_t>(max_generation));
 }
 
-// What can be written and read back is the records' bits and expected_triangles; all else refuses to be written.
+// What can be written and read back is the records' bits, whole words where more has to be refused, and expected_triangles; all else
+// refuses to be written.
 TEST(edge_engine, registers_hold_the_records_bits) {
   session it({5, 5, 1, 1});
   generator g("registers");
@@ -49,7 +53,8 @@ TEST(edge_engine, registers_hold_the_records_bits) {
     it.bench.write32(address, word);
     EXPECT_EQ(it.bench.read32(address), word & mask) << address;
   }
-  EXPECT_EQ(held, hls::field_width<hls::engine_regs>::value + hls::field_width<hls::normal_map_regs>::value + 32);
+  constexpr int more = 2 * (32 - 14) + (32 - 4);
+  EXPECT_EQ(held, hls::field_width<hls::engine_regs>::value + hls::field_width<hls::normal_map_regs>::value + 32 + more);
   EXPECT_GT(refused, 0);
 }
 
@@ -123,6 +128,26 @@ TEST(edge_engine, is_done_when_all_has_left) {
   it.expect_mesh(s, code::none);
 }
 
+// Whatever was under way: a mesh, a map, an access of the host, reads of the memories.
+TEST(edge_engine, survives_a_reset_in_the_middle) {
+  generator g("reset");
+  for (traffic const& t : {traffic{0, 0, 1, 1}, traffic{4, 6, 1, 40}}) {
+    session it(t);
+    for (const int clocks : {1, 2, 3, 40, 41, 150, 333, 700, 1500}) {
+      const engine_scene s = good_scene(g);
+      it.build_maps(s);
+      it.begin(s, 0);
+      it.send(s);
+      it.bench.clock(clocks);
+      it.bench.texels.assign(9, {7, false});
+      it.bench.clock(clocks % 13);
+      it.bench.reset();
+      it.run(good_scene(g), true);
+      if (HasFatalFailure()) FAIL() << "reset after " << clocks << " clocks, seed " << seed();
+    }
+  }
+}
+
 // ---- errors: each as a story of its own, on a bench that has run, and that runs a good scene afterwards
 template <class Story>
 void tell(Story story) {
@@ -165,6 +190,29 @@ TEST(edge_engine, refuses_a_map_size_of_zero) {
 TEST(edge_engine, refuses_a_map_size_beyond_the_format) {
   refused([](hls::engine_regs& r) { r.map.width = hls::from_raw<formats::map_size>(8193); }, code::map_size_too_large, "8193 x ");
   refused([](hls::engine_regs& r) { r.map.height = hls::from_raw<formats::map_size>(16383); }, code::map_size_too_large, " x 16383");
+}
+// What the records have no room for, which would come out as something harmless when its upper bits were lost.
+TEST(edge_engine, refuses_what_its_records_cannot_hold) {
+  struct {
+    std::uint32_t address, word;
+    code wrong;
+    char const* part;
+  } const cases[] = {{offsetof(edge_engine_t, engine_regs.map.width), 16384 + 4, code::map_size_too_large, "16388 x "},
+                     {offsetof(edge_engine_t, engine_regs.map.height), 20480, code::map_size_too_large, " x 20480"},
+                     {offsetof(edge_engine_t, engine_regs.pass.max_generation), 17, code::max_generation_too_large, "max_generation is 17"},
+                     {offsetof(edge_engine_t, engine_regs.pass.max_generation), 0x80000000u, code::max_generation_too_large, "2147483648"}};
+  for (auto const& c : cases)
+    tell([&](session& it, engine_scene const& s) {
+      it.bench.driver.set(s.regs);
+      it.bench.write32(c.address, c.word);
+      it.bench.load(s);
+      it.bench.packets.clear();
+      it.bench.driver.start(0);
+      it.send(s);
+      it.expect_mesh(first_of(s, 0), c.wrong);
+      it.expect_line(c.wrong, c.part);
+      it.bench.driver.clear_error();
+    });
 }
 TEST(edge_engine, refuses_a_max_generation_above_the_builds) {
   refused([](hls::engine_regs& r) { r.pass.max_generation = hls::from_raw<formats::generation>(max_generation + 1); },
