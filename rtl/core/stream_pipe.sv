@@ -1,5 +1,5 @@
 // stream_pipe: gives a pure pipeline of fixed latency the valid/ready handshake.
-//   parameters  T, what the pipeline puts out; Latency of the pipeline; Depth of the FIFO behind it, more than Latency for full rate
+//   parameters  T, what the pipeline puts out; Latency of the pipeline; Depth of the FIFO behind it
 //   in    in_valid_i, in_ready_o      the word itself goes straight into the pipeline
 //         data_i                      what the pipeline puts out, Latency clocks after its word was taken
 //   out   out_valid_o, out_ready_i, out_o

@@ -3,7 +3,8 @@
 //   out_o  the triangle, which edges split and where; place: a base triangle whose vertices are m
 //
 //   contract: the loop over the edges in step() of hls/edge/engine.hpp
-//   latency 0: the last answer passes straight on; initiation interval: the answers of a triangle over the lanes, a clock at least
+//   latency 0: the last answer passes straight on; initiation interval: the answers of a triangle over the lanes, a clock at least.
+//   Registered: the answers kept; no output. The readies depend on out_ready_i, which is a FIFO's.
 module edge_collect
   import surface_pkg::*;
   import edge_pkg::*;

@@ -4,7 +4,8 @@
 //
 //   contract: the loop over the edges in step() of hls/edge/engine.hpp
 //   latency 0: what it sends is a choice from the word at its input; initiation interval: what is asked of a triangle over the lanes, a
-//   clock at least. in_ready_o depends on the readies of lanes and flight, which are registers'.
+//   clock at least. Registered: what was sent; no output. in_ready_o, and with three lanes the valids, depend on the readies of lanes and
+//   flight, which are registers'.
 module edge_dispatch
   import edge_pkg::*;
   import lane_pkg::*;

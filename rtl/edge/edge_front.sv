@@ -2,7 +2,7 @@
 // how many samples a profile of it takes.
 //   contract: test_edge of hls/edge/engine.hpp, up to the tests that read memories
 //
-//   latency 6, initiation interval 1; a pure pipeline of calculate_new_u, view_test, tex_coord_test, vertex_order, profile_levels
+//   latency 6, initiation interval 1; registered: every unit's stages; a pure pipeline of calculate_new_u, view_test, tex_coord_test, vertex_order, profile_levels
 //
 //   a, b --[calculate_new_u 1/2]--+--[tex_coord_test]-- ct
 //        --[view_test]-- vt       +-- u12

@@ -8,8 +8,9 @@
 //   out_*    lane_out_t, in the order of in_*
 //   An edge stopped by vt or ct asks no memory; one that needs no new vertex asks none for it.
 //
-//   latency about 200 clocks, with those of the memories twice; initiation interval 1 where the memories deliver; an edge takes 12/ReadsPerClock clocks of the table and ceil(samples/SamplesPerClock) of the
-//   map when those tests are on. Registered at every boundary; nothing is dropped, everything can stall.
+//   latency 171 clocks, and those of the table's and of the map's memory; initiation interval 1 where the memories deliver: an edge takes
+//   12/ReadsPerClock clocks of the table and ceil(samples/SamplesPerClock) of the map when those tests are on. Registered: in_ready_o and
+//   all outputs; within, a join waits until all its parts have something. Nothing is dropped, everything can stall.
 //
 //   in --[edge_front]--+--[summed_height_test]--+--[new_vertex]--+--[normal_sampler]---+--[edge_back]-- out
 //                      +--[profile_test]--------+                +--[displace_vertex]--+

@@ -8,7 +8,7 @@
 //   A split takes as many clocks as children go one way; whole triangles go past it, children first where both want the same way.
 //   Two that end in one clock are retired one after the other: the queue only learns later of the place they leave.
 //   latency 0: a choice from the words at its inputs; initiation interval: the larger of those bound for the queue and those bound for out.
-//   The readies depend on out_ready_i, which is a register's.
+//   Nothing is registered: the readies depend on out_ready_i, which in the engine is a register's and a gate of the word at out_o.
 module edge_results
   import edge_pkg::*;
   import engine_pkg::*;

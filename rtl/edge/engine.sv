@@ -8,7 +8,9 @@
 //
 //   A triangle goes round: queue, get_triangle, the lanes, tessellate, and its children to the queue. A child whose edges are all settled
 //   is finished when it is born and goes out at once: settled edges cost nothing. A base triangle goes round once more, for its vertices.
-//   latency of one round about 240 clocks; initiation interval: one unsettled edge a clock and lane; every boundary is registered
+//   latency of one round 182 clocks for a triangle that stays whole and 190 for one that splits, with memories of latency 1; initiation
+//   interval: one unsettled edge a clock and lane. Registered: all outputs; within, dispatch, collect and results are gates between FIFOs,
+//   and wait until all that they need is there
 //
 //   in --+--[get_triangle]--[dispatch]--+--[edge_lane]----+--[collect]--+--[tessellate]--+--[results]--+-- out
 //        |                              +--[flight FIFO]--+             +--[whole FIFO]--+             |

@@ -1,7 +1,7 @@
 // new_vertex: P, U, N and T at k/16 of an edge; a base vertex keeps its own.
 //   contract: new_vertex of hls/edge/engine.hpp, what comes before the normal map is read
 //
-//   latency CalculateNewN, initiation interval 1; a pure pipeline of calculate_new_p, _u and two of _n
+//   latency CalculateNewN, initiation interval 1; registered: every unit's stages; a pure pipeline of calculate_new_p, _u and two of _n
 module new_vertex
   import formats_pkg::*;
   import edge_pkg::*;

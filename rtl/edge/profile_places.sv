@@ -4,7 +4,7 @@
 //   in    u1_i, extent_i (u2 - u1), levels_i (n = 2^levels), group_i   which samples: see place_multiple
 //   out   address_o  for each lane;  wanted_o  the lane's sample is one of the profile
 //
-//   latency 7, initiation interval 1; a pure pipeline: never stalls, no reset on data
+//   latency 7, initiation interval 1; a pure pipeline: never stalls, no reset on data; registered: every stage
 //
 //   extent --[<< 4 - levels]--[x 3]--[s2 terms]--[s3 j x]--+ 16 u1 + 8--[s4_u]--[map_address, 2]
 module profile_places

@@ -5,7 +5,7 @@
 //   in    q_i   [row][column];  f_i  fractions of u and v
 //   out   y_o   Width + Kept bits; a mean of the words never clips
 //
-//   latency 10, initiation interval 1; a pure pipeline; 4 multipliers of 18 x 18 for words of 16 bits, where both
+//   latency 10, initiation interval 1; a pure pipeline; registered: every stage; 4 multipliers of 18 x 18 for words of 16 bits, where both
 //   weights of each pair would take 8
 //
 //   With F = 2^11 fx, an integer: q0 (2^11 - F) + q1 F = 2^11 q0 + F (q1 - q0), term by term, and nothing is rounded before the end:

@@ -1,7 +1,7 @@
 // displace: move a point along its normal by the scaled displacement.
 //   P' = P + (s D + b) N              contract: hls/surface/displace.hpp
 //
-//   latency 10, initiation interval 1; a pure pipeline: never stalls, no reset on data
+//   latency 10, initiation interval 1; a pure pipeline: never stalls, no reset on data; registered: every stage
 //
 //   D --x s--+ b--[s0_height]--x N--+ P--[p]
 module displace

@@ -2,7 +2,7 @@
 //   clamp: x0 = min(floor u, W-1), x1 = min(x0+1, W-1);  wrap: x0 = floor u mod W, x1 = (x0+1) mod W
 //   contract: hls/surface/map_address.hpp; a wrapped coordinate is at most W
 //
-//   latency 2, initiation interval 1; a pure pipeline: never stalls, no reset on data
+//   latency 2, initiation interval 1; a pure pipeline: never stalls, no reset on data; registered: every stage
 //
 //   u --[s0_low: min or - W]--[x, y: low, low + 1 or the border]
 module map_address

@@ -10,7 +10,7 @@
 //   out   regs_o, expected_o  taken over at start, constant until done; limit_o: the largest coordinates they allow
 //         begin_o             for one clock: engine and input begin; with refuse_o no triangle is let in
 //         close_o             for one clock: the host has seen an error, or begins anew: nothing more is swallowed; at once, so that no
-//                             word is that comes after the host's write was answered
+//                             word is swallowed that comes after the host's write was answered
 //         stop_o              for one clock, once the mesh runs: its packet is to end
 //         busy_o, done_o, error_code_o
 //

@@ -70,6 +70,32 @@ void rtl_arguments::apply(bool circuit) const {
   set_cosim_settings(s);
 }
 
+namespace {
+
+double busy(link_report const& l) {
+  const std::uint64_t clocks = l.moved + l.waited + l.idle;
+  return clocks == 0 ? 0 : static_cast<double>(l.moved) / static_cast<double>(clocks);
+}
+
+// What took the clocks: a memory that answered in nearly all of them, or that as many reads as the circuit allows waited for; a sink or a
+// source that made words wait is named by its rows. Else the round of a triangle, of which too few were under way.
+std::string limit(cosim_result const& r) {
+  link_report const* busiest = nullptr;
+  link_report const* fullest = nullptr;
+  for (link_report const& l : r.links) {
+    if (!l.answers || l.most_in_flight == 0) continue;
+    if (busiest == nullptr || busy(l) > busy(*busiest)) busiest = &l;
+    const auto full = [](link_report const& x) { return x.in_flight / static_cast<double>(x.most_in_flight); };
+    if (l.most_in_flight > 16 && (fullest == nullptr || full(l) > full(*fullest))) fullest = &l;
+  }
+  if (busiest != nullptr && busy(*busiest) >= 0.9) return busiest->name + ": one in nearly every clock";
+  if (fullest != nullptr && fullest->in_flight >= 0.8 * static_cast<double>(fullest->most_in_flight))
+    return fullest->name + ": latency, no more are awaited at once";
+  return "no memory: the way of a triangle through the pipeline, or traffic on the other links";
+}
+
+}  // namespace
+
 void print_cosim(std::uint64_t edge_tests, std::uint64_t triangles) {
   cosim_result const& r = last_cosim_result();
   const auto per = [&](std::uint64_t n) { return n == 0 ? 0.0 : static_cast<double>(r.clocks) / static_cast<double>(n); };
@@ -78,19 +104,29 @@ void print_cosim(std::uint64_t edge_tests, std::uint64_t triangles) {
   print_row("clocks", text);
   for (link_report const& l : r.links)
     if (l.waited != 0) print_row("  waited", l.name + ": " + grouped(l.waited) + " clocks");
+  for (link_report const& l : r.links)
+    if (l.answers && l.moved != 0) {
+      std::snprintf(text, sizeof text, "%s: in %.0f %% of the clocks, %.0f awaited on average, %llu at most", l.name.c_str(), 100 * busy(l),
+                    l.in_flight, static_cast<unsigned long long>(l.most_in_flight));
+      print_row("  memory", text);
+    }
+  print_row("  limited by", limit(r));
 }
 
 nlohmann::json cosim_to_json(std::uint64_t edge_tests) {
   cosim_result const& r = last_cosim_result();
   std::uint64_t stalls = 0;
-  nlohmann::json links;
+  nlohmann::json links, memories;
   for (link_report const& l : r.links) {
     stalls += l.waited;
     links[l.name] = {{"moved", l.moved}, {"waited", l.waited}, {"idle", l.idle}};
+    if (l.answers) memories[l.name] = {{"reads", l.moved}, {"in_flight", l.in_flight}, {"most_in_flight", l.most_in_flight}};
   }
   return {{"cycles", r.clocks},
           {"cycles_per_edge_test", edge_tests == 0 ? 0.0 : static_cast<double>(r.clocks) / static_cast<double>(edge_tests)},
           {"stall_cycles", stalls},
+          {"memory_reads", memories},
+          {"limited_by", limit(r)},
           {"links", links}};
 }
 

@@ -1,10 +1,10 @@
 // engine_bench: the circuit of the edge engine among SystemC modules: a source of base triangles, a sink, memories behind its read ports,
 // a checker on every link, and a watchdog.
 //
-//   engine_bench* bench = the_engine_bench(settings)   one a process (SystemC elaborates once); other settings in the same process are an
-//   error bench->run(words)                                  one mesh; again and again, with or without a reset between them Errors:
-//   cosim_error when a rule of a link is broken, a memory is asked for what it does not hold, the queue overflows, or nothing moves for
-//   settings.watchdog clocks; its text names the link.
+//   the_engine_bench(settings)   one a process (SystemC elaborates once); other settings in the same process are an error
+//   bench.run(scene, out)        one mesh; again and again, with or without a reset between them
+//   Errors: cosim_error when a rule of a link is broken, a memory is asked for what it does not hold, the queue overflows, or nothing moves
+//   for settings.watchdog clocks; its text begins with the link that stopped.
 #pragma once
 #include <cstdint>
 #include <functional>
@@ -53,6 +53,10 @@ struct cosim_scene {
 struct link_report {
   std::string name;
   std::uint64_t moved, waited, idle;
+  // Answers of a memory: how many were awaited, on average and at most.
+  bool answers;
+  double in_flight;
+  std::uint64_t most_in_flight;
 };
 
 struct cosim_result {

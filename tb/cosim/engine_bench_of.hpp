@@ -63,7 +63,8 @@ class bench final : public engine_bench {
     if (reset || !begun_) {
       begun_ = true;
       wires_.running.write(false);
-      advance(8);
+      // As short as the circuit allows.
+      advance(2);
       wires_.running.write(true);
       advance(1);
     }
@@ -84,7 +85,9 @@ class bench final : public engine_bench {
     result.clocks = last_clock_ - begun;
     for (link_observer const* o : observers_) {
       link_counts const& c = o->counts();
-      result.links.push_back({c.name, c.moved, c.waited, c.idle});
+      const auto clocks = static_cast<double>(c.moved + c.waited + c.idle);
+      result.links.push_back(
+          {c.name, c.moved, c.waited, c.idle, o->is_answers(), static_cast<double>(c.in_flight_clocks) / clocks, c.most_in_flight});
     }
     if (abort_after == 0) {
       // Nothing may stay behind.
@@ -118,11 +121,20 @@ class bench final : public engine_bench {
     device_.wave().close();
     throw cosim_error(what);
   }
+  // The link where it stopped: a memory that owes an answer; else a word that nobody takes, of those behind the source first; else the
+  // circuit itself, from which nothing comes any more.
+  std::string stopped() const {
+    for (link_observer const* o : observers_)
+      if (o->counts().in_flight != 0) return o->counts().name + " do not come, " + std::to_string(o->counts().in_flight) + " are awaited";
+    for (link_observer const* o : observers_)
+      if (o->counts().waiting && o->counts().name != links_.in.name) return o->counts().name + " are not taken";
+    return links_.out.name + " do not come, the circuit asks for nothing";
+  }
   void watch(std::uint64_t begun) {
     std::uint64_t quiet = wires_.clocks - begun;
     for (link_observer const* o : observers_) quiet = std::min(quiet, o->counts().quiet);
     if (quiet < settings_.watchdog) return;
-    std::string text = "nothing moved for " + std::to_string(quiet) + " clocks;";
+    std::string text = "nothing moved for " + std::to_string(quiet) + " clocks, and " + stopped() + "; all links:";
     for (link_observer const* o : observers_) {
       link_counts const& c = o->counts();
       text += " " + c.name + (c.waiting ? ": a word waits" : ": idle") + " after " + std::to_string(c.moved) + ";";
@@ -131,10 +143,11 @@ class bench final : public engine_bench {
   }
 
   template <class Word>
-  void check(char const* name, link<Word>& l, bool has_ready) {
-    auto checker = std::make_shared<link_checker<Word>>(sc_core::sc_gen_unique_name(name), l, wires_, has_ready);
+  link_observer const* check(char const* name, link<Word>& l, bool has_ready, link_observer const* requests = nullptr) {
+    auto checker = std::make_shared<link_checker<Word>>(sc_core::sc_gen_unique_name(name), l, wires_, has_ready, requests);
     observers_.push_back(checker.get());
     modules_.push_back(checker);
+    return checker.get();
   }
   template <class Memory, class Port, class LookUp>
   void add_memory(char const* name, Port& port, int lane, LookUp const& look_up) {
@@ -145,8 +158,8 @@ class bench final : public engine_bench {
     m->look_up = look_up;
     memories_empty_.push_back([m] { return m->empty(); });
     modules_.push_back(m);
-    check("check_requests", port.requests, true);
-    check("check_answers", port.answers, false);
+    link_observer const* requests = check("check_requests", port.requests, true);
+    check("check_answers", port.answers, false, requests);
   }
   void add_lane(int i) {
     auto& lane = *links_.lanes[static_cast<std::size_t>(i)];

@@ -1,6 +1,6 @@
 // engine_device: the Verilated engine as a SystemC module between links.
 //   At a rising edge it takes the inputs that stood before the edge, and its outputs are seen after it: every output of the engine comes
-//   from a register. That is checked: an output that moves when only inputs do is an error.
+//   from a register. That is checked of its valids and readies: one that moves when only inputs do is an error.
 #pragma once
 #include <verilated.h>
 
@@ -65,7 +65,6 @@ class engine_device : public sc_core::sc_module {
     model_->clk_i = 0;
     model_->rst_ni = 0;
     model_->start_i = 0;
-    model_->end_i = 0;
     model_->end_i = 0;
     model_->eval();
     SC_METHOD(edge);

@@ -4,6 +4,7 @@
 // link_checker looks at one link at every edge: a broken rule ends the run with the link's name and clock. It also counts what moved, what
 // waited (valid, not ready) and what was idle, which is what the watchdog and the report of stalls print.
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <ostream>
 #include <string>
@@ -48,6 +49,8 @@ struct link_counts {
   std::string name;
   std::uint64_t moved = 0, waited = 0, idle = 0;
   std::uint64_t quiet = 0;  // clocks since a word moved
+  // Of a link of answers: words asked for and not answered, added up over the clocks, the most, and now.
+  std::uint64_t in_flight_clocks = 0, most_in_flight = 0, in_flight = 0;
   bool waiting = false;
 };
 
@@ -55,6 +58,7 @@ class link_observer {
  public:
   virtual ~link_observer() = default;
   virtual link_counts const& counts() const = 0;
+  virtual bool is_answers() const = 0;
   virtual void forget() = 0;
 };
 
@@ -62,14 +66,15 @@ template <class Word>
 class link_checker : public sc_core::sc_module, public link_observer {
  public:
   SC_HAS_PROCESS(link_checker);
-  link_checker(sc_core::sc_module_name name, link<Word>& l, bench_wires& wires, bool has_ready)
-      : sc_module(name), link_(l), wires_(wires), has_ready_(has_ready) {
+  link_checker(sc_core::sc_module_name name, link<Word>& l, bench_wires& wires, bool has_ready, link_observer const* requests = nullptr)
+      : sc_module(name), link_(l), wires_(wires), has_ready_(has_ready), requests_(requests) {
     counts_.name = l.name;
     SC_METHOD(check);
     sensitive << wires.clock.posedge_event();
     dont_initialize();
   }
   link_counts const& counts() const override { return counts_; }
+  bool is_answers() const override { return requests_ != nullptr; }
   void forget() override {
     const std::string name = counts_.name;
     counts_ = link_counts();
@@ -97,11 +102,16 @@ class link_checker : public sc_core::sc_module, public link_observer {
     counts_.idle += valid ? 0 : 1;
     counts_.quiet = moves ? 0 : counts_.quiet + 1;
     counts_.waiting = held_;
+    if (requests_ == nullptr) return;
+    counts_.in_flight = requests_->counts().moved - counts_.moved;
+    counts_.in_flight_clocks += counts_.in_flight;
+    counts_.most_in_flight = std::max(counts_.most_in_flight, counts_.in_flight);
   }
 
   link<Word>& link_;
   bench_wires& wires_;
   bool has_ready_;
+  link_observer const* requests_;
   bool held_ = false;
   int in_reset_ = 0;  // clocks of it with valid; in the first one it may still stand
   Word held_word_{};

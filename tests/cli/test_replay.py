@@ -72,7 +72,7 @@ class replay(command_line):
     def test_a_circuit_that_hangs_has_failed_a_check(self):
         for command in (["replay", "good.vec"], ["tessellate", *SMALL, "--report", "out.json"]):
             out, err = self.run_to(1, *command, "--model", "rtl", "--latency", "1000", "--watchdog", "100")
-            self.assertRegex(out, r"rtl: nothing moved for \d+ clocks;.*normal map requests: idle after")
+            self.assertRegex(out, r"rtl: nothing moved for \d+ clocks, and displacement answers do not come, \d+ are awaited; all links:.* clock \d+")
             self.assertEqual(err, "")
         self.assertNotIn("out.json", self.all_files())
 

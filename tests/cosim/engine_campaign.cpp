@@ -1,13 +1,11 @@
 #include "Vengine_four.h"
 #include "Vengine_narrow.h"
 #include "Vengine_three.h"
-#include "Vengine_wide.h"
 #include "tb/cosim/engine_bench_of.hpp"
 #include "tests/cosim/engines.hpp"
 
 namespace relievo::test {
 void add_campaign_engines() {
-  tb::add_engine_variant("wide", tb::engine_of<Vengine_wide, 3, 12, 16>());
   tb::add_engine_variant("narrow", tb::engine_of<Vengine_narrow, 1, 1, 1>());
   tb::add_engine_variant("three", tb::engine_of<Vengine_three, 1, 3, 4>());
   tb::add_engine_variant("four", tb::engine_of<Vengine_four, 1, 4, 16>());

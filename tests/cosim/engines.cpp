@@ -12,6 +12,7 @@ cosim_run run_circuit(tb::scene const& sc, tb::cosim_settings const& settings) {
   static const bool added = [] {
     tb::add_rtl_model();
     add_small_engine();
+    add_wide_engine();
     add_campaign_engines();
     return true;
   }();
