@@ -3,7 +3,7 @@
 #   first the circuit with more build parameters: every scene in the smallest queue, the throughput with each, the top with AXI4 memories;
 #   then what of the circuits the regression reaches (scripts/coverage.sh);
 #   then the units under AddressSanitizer and UndefinedBehaviorSanitizer, with few vectors; then
-#   units again with seeds 2..N+1 and so many random vectors each (default 10 seeds, 1,000,000 vectors). Stops at the first failure, whose
+#   units and their circuits again with seeds 2..N+1 and so many random vectors each (default 10 seeds, 1,000,000 vectors). Stops at the first failure, whose
 #   seed is printed.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -22,10 +22,12 @@ done
 "$root/scripts/build.sh" campaign cosim_tests rtl_edge_engine_axi
 ctest --test-dir "$root/build-campaign" -L 'cosim|campaign' -j2 --output-on-failure
 "$root/scripts/coverage.sh"
-"$root/scripts/build.sh" release unit_tests
+"$root/scripts/build.sh" release
 "$root/scripts/build.sh" sanitize unit_tests
 RELIEVO_VECTORS=5000 "$root/build-sanitize/tests/unit_tests" --gtest_brief=1
 for ((seed = 2; seed < seeds + 2; seed++)); do
   echo "seed $seed, $vectors vectors"
-  RELIEVO_SEED=$seed RELIEVO_VECTORS=$vectors "$root/build/tests/unit_tests" --gtest_brief=1
+  for program in "$root"/build/tests/unit_tests "$root"/build/tests/rtl/rtl_*; do
+    RELIEVO_SEED=$seed RELIEVO_VECTORS=$vectors "$program" --gtest_brief=1
+  done
 done

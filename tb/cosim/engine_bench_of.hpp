@@ -121,14 +121,14 @@ class bench final : public engine_bench {
     device_.wave().close();
     throw cosim_error(what);
   }
-  // The link where it stopped: a memory that owes an answer; else a word that nobody takes, of those behind the source first; else the
-  // circuit itself, from which nothing comes any more.
+  // The link where it stopped: a memory that owes an answer; else a word that nobody takes, those behind the circuit first, the
+  // base triangles last; else the circuit itself, from which nothing comes any more.
   std::string stopped() const {
     for (link_observer const* o : observers_)
       if (o->counts().in_flight != 0) return o->counts().name + " do not come, " + std::to_string(o->counts().in_flight) + " are awaited";
     for (link_observer const* o : observers_)
       if (o->counts().waiting && o->counts().name != links_.in.name) return o->counts().name + " are not taken";
-    return links_.out.name + " do not come, the circuit asks for nothing";
+    return links_.in.valid.read() ? links_.in.name + " are not taken" : links_.out.name + " do not come, and the circuit asks for nothing";
   }
   void watch(std::uint64_t begun) {
     std::uint64_t quiet = wires_.clocks - begun;

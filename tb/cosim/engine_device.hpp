@@ -58,6 +58,8 @@ class engine_device : public sc_core::sc_module {
   engine_device(sc_core::sc_module_name name, links& l, bench_wires& wires, cosim_settings const& settings)
       : sc_module(name), links_(l), wires_(wires) {
     context_.randReset(2);
+    // An assertion of the circuit that fails is a failure of the run, not the end of the program.
+    context_.fatalOnError(false);
     context_.randSeed(settings.reset_seed);
     context_.traceEverOn(!settings.trace.empty());
     model_ = std::make_unique<Model>(&context_);
@@ -177,6 +179,7 @@ class engine_device : public sc_core::sc_module {
     model_->eval();
     wave_->after_edge(wires_.clocks);
     model_->clk_i = 0;
+    if (context_.gotError()) wires_.fail("an assertion of the circuit failed, which it has printed");
     get_outputs();
   }
 

@@ -1,5 +1,6 @@
 // How many clocks a mesh may take, on the Jacksboro terrain at about 20,000 triangles: an edge a clock and lane where the memories deliver,
-// the clocks of its reads where they don't, fill, queue and drain included. The counts are exact, so they are asserted.
+// the clocks of its reads where they don't, fill, queue and drain included. The counts are exact, so each is asserted as it is, beside the
+// most that it may be: who changes a latency says here what it costs.
 #include <gtest/gtest.h>
 
 #include "tests/cosim/engines.hpp"
@@ -28,12 +29,13 @@ double ratio(std::uint64_t clocks, double base, char const* of) {
   return r;
 }
 
-void paper_tests(char const* variant, int clocks_per_edge, int latency = 1) {
+void paper_tests(char const* variant, int clocks_per_edge, std::uint64_t clocks, int latency = 1) {
   tb::cosim_settings s;
   s.variant = variant;
   s.latency_low = s.latency_high = latency;
   const cosim_run r = run_circuit(tb::make_scene(jacksboro(false)), s);
   EXPECT_GT(r.run.counts.triangles_out, 19000u);
+  EXPECT_EQ(r.circuit.clocks, clocks);
   EXPECT_LE(ratio(r.circuit.clocks, static_cast<double>(r.run.counts.edge_tests), "an edge test"), 1.10 * clocks_per_edge);
 }
 
@@ -49,19 +51,20 @@ double clocks_of_samples(tb::scene const& sc, int samples_per_clock) {
   return clocks;
 }
 
-void profiles(char const* variant, int samples_per_clock) {
+void profiles(char const* variant, int samples_per_clock, std::uint64_t clocks) {
   tb::cosim_settings s;
   s.variant = variant;
   const tb::scene sc = tb::make_scene(jacksboro(true));
   const cosim_run r = run_circuit(sc, s);
+  EXPECT_EQ(r.circuit.clocks, clocks);
   EXPECT_LE(ratio(r.circuit.clocks, clocks_of_samples(sc, samples_per_clock), "a clock that the samples need"), 1.10);
 }
 
-TEST(throughput, an_edge_a_clock_with_12_reads) { paper_tests("default", 1); }
+TEST(throughput, an_edge_a_clock_with_12_reads) { paper_tests("default", 1, 61648); }
 
-TEST(throughput, a_memory_latency_of_60_clocks_costs_a_tenth_at_most) { paper_tests("default", 1, 60); }
+TEST(throughput, a_memory_latency_of_60_clocks_costs_a_tenth_at_most) { paper_tests("default", 1, 61819, 60); }
 
-TEST(throughput, profiles_with_4_samples_a_clock) { profiles("default", 4); }
+TEST(throughput, profiles_with_4_samples_a_clock) { profiles("default", 4, 211617); }
 
 TEST(throughput, a_triangle_a_clock_with_three_lanes_and_36_reads) {
   tb::cosim_settings s;
@@ -69,15 +72,16 @@ TEST(throughput, a_triangle_a_clock_with_three_lanes_and_36_reads) {
   const cosim_run r = run_circuit(tb::make_scene(jacksboro(false)), s);
   std::uint64_t tested = 0;
   for (const std::uint64_t n : r.run.counts.splits) tested += n;
+  EXPECT_EQ(r.circuit.clocks, 35964u);
   EXPECT_LE(ratio(r.circuit.clocks, static_cast<double>(tested), "a triangle tested"), 1.15);
 }
 
 #if RELIEVO_CAMPAIGN
-TEST(throughput, with_1_read) { paper_tests("narrow", 12); }
-TEST(throughput, with_3_reads) { paper_tests("three", 4); }
-TEST(throughput, with_4_reads) { paper_tests("four", 3); }
-TEST(throughput, profiles_with_1_sample_a_clock) { profiles("narrow", 1); }
-TEST(throughput, profiles_with_16_samples_a_clock) { profiles("four", 16); }
+TEST(throughput, with_1_read) { paper_tests("narrow", 12, 670227); }
+TEST(throughput, with_3_reads) { paper_tests("three", 4, 224047); }
+TEST(throughput, with_4_reads) { paper_tests("four", 3, 167992); }
+TEST(throughput, profiles_with_1_sample_a_clock) { profiles("narrow", 1, 627310); }
+TEST(throughput, profiles_with_16_samples_a_clock) { profiles("four", 16, 91334); }
 #endif
 
 }  // namespace
