@@ -73,6 +73,8 @@ class engine_device : public sc_core::sc_module {
     sensitive << wires.clock.posedge_event();
     dont_initialize();
   }
+  // A model's parts look for their context in the thread, where another model's may be the last that was set, and gone.
+  ~engine_device() override { Verilated::threadContextp(&context_); }
 
   bool start = false;
   hls::engine_regs regs{};

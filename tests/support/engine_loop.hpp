@@ -43,7 +43,10 @@ class engine_loop {
     m.rst_ni = 1;
     edge();
   }
-  ~engine_loop() { model_->final(); }
+  ~engine_loop() {
+    model_->final();
+    Verilated::threadContextp(&context_);
+  }
   engine_loop(engine_loop const&) = delete;
   engine_loop& operator=(engine_loop const&) = delete;
 
