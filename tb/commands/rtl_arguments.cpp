@@ -83,7 +83,7 @@ std::string limit(cosim_result const& r) {
   link_report const* busiest = nullptr;
   link_report const* fullest = nullptr;
   for (link_report const& l : r.links) {
-    if (!l.answers || l.most_in_flight == 0) continue;
+    if (!l.answers || l.moved == 0) continue;
     if (busiest == nullptr || busy(l) > busy(*busiest)) busiest = &l;
     const auto full = [](link_report const& x) { return x.in_flight / static_cast<double>(x.most_in_flight); };
     if (l.most_in_flight > 16 && (fullest == nullptr || full(l) > full(*fullest))) fullest = &l;
@@ -106,9 +106,12 @@ void print_cosim(std::uint64_t edge_tests, std::uint64_t triangles) {
     if (l.waited != 0) print_row("  waited", l.name + ": " + grouped(l.waited) + " clocks");
   for (link_report const& l : r.links)
     if (l.answers && l.moved != 0) {
-      std::snprintf(text, sizeof text, "%s: in %.0f %% of the clocks, %.0f awaited on average, %llu at most", l.name.c_str(), 100 * busy(l),
-                    l.in_flight, static_cast<unsigned long long>(l.most_in_flight));
-      print_row("  memory", text);
+      std::snprintf(text, sizeof text, "%s: in %.0f %% of the clocks", l.name.c_str(), 100 * busy(l));
+      std::string row = text;
+      std::snprintf(text, sizeof text, ", %.0f awaited on average, %llu at most", l.in_flight,
+                    static_cast<unsigned long long>(l.most_in_flight));
+      if (l.most_in_flight != 0) row += text;
+      print_row("  memory", row);
     }
   print_row("  limited by", limit(r));
 }
