@@ -2,7 +2,7 @@
 # A longer campaign with the same test programs: scripts/regress.sh [--seeds N] [--vectors N]
 #   first the circuit with more build parameters: every scene in the smallest queue, the throughput with each, the top with AXI4 memories;
 #   then what of the circuits the regression reaches (scripts/coverage.sh);
-#   then the units under AddressSanitizer and UndefinedBehaviorSanitizer, with few vectors; then
+#   then the other half of the scenes, and the units, under AddressSanitizer and UndefinedBehaviorSanitizer, with few vectors; then
 #   units and their circuits again with seeds 2..N+1 and so many random vectors each (default 10 seeds, 1,000,000 vectors). Stops at the first failure, whose
 #   seed is printed.
 set -euo pipefail
@@ -23,7 +23,10 @@ done
 ctest --test-dir "$root/build-campaign" -L 'cosim|campaign' -j2 --output-on-failure
 "$root/scripts/coverage.sh"
 "$root/scripts/build.sh" release
-"$root/scripts/build.sh" sanitize unit_tests
+"$root/scripts/build.sh" sanitize unit_tests system_tests
+for shard in 2 3; do
+  GTEST_TOTAL_SHARDS=4 GTEST_SHARD_INDEX=$shard "$root/build-sanitize/tests/system_tests" --gtest_brief=1
+done
 RELIEVO_VECTORS=5000 "$root/build-sanitize/tests/unit_tests" --gtest_brief=1
 for ((seed = 2; seed < seeds + 2; seed++)); do
   echo "seed $seed, $vectors vectors"

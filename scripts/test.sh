@@ -17,11 +17,12 @@ tested=$SECONDS
 # A part of the regression was asked for: the rest is left out.
 (($# == 0)) || exit "$status"
 
-# The scenes again under AddressSanitizer and UndefinedBehaviorSanitizer, and the readers under libFuzzer with both (the units: regress.sh).
+# Half of the scenes again under AddressSanitizer and UndefinedBehaviorSanitizer, and the readers under libFuzzer with both (the other half
+# and the units: regress.sh).
 "$root/scripts/build.sh" sanitize system_tests
 shards=()
 for shard in 0 1; do
-  GTEST_TOTAL_SHARDS=2 GTEST_SHARD_INDEX=$shard "$root/build-sanitize/tests/system_tests" --gtest_brief=1 \
+  GTEST_TOTAL_SHARDS=4 GTEST_SHARD_INDEX=$shard "$root/build-sanitize/tests/system_tests" --gtest_brief=1 \
     --gtest_filter='-*jacksboro*:*map_5x8192*:*map_8192x5_clamp*:*ideal_decides*' &
   shards+=($!)
 done
