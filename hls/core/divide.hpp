@@ -5,7 +5,7 @@
 //   errors: a zero denominator saturates by the numerator's sign (0/0 to the top) and counts as clipped
 //
 //   The language's integer division is the one every HLS tool maps to its pipelined divider. The quotient of 2 n 2^s + d by 2 d,
-//   floored, is the half-up rounding without a remainder test. Golden: bits(denominator) + bits(To) <= 52 makes the double right.
+//   floored, is the half-up rounding without a remainder test. Golden, of 53 bits, is right where bits(denominator) + bits(To) <= 52.
 //   initiation interval 1
 #pragma once
 #include "hls/core/fixed.hpp"
@@ -19,7 +19,7 @@ inline fixed<To> divide(fixed<N> numerator, fixed<D> denominator, bool& clipped)
   static_assert(!D::is_signed, "the denominator is unsigned");
   static_assert(shift >= 0, "the quotient's fraction must not be coarser than the operands'");
   static_assert(N::width + shift + 1 <= 62 && D::width + 1 <= 62, "an intermediate is wider than 64 bits");
-  static_assert(D::width + To::width <= 52, "golden's double would not be correctly rounded");
+  static_assert(D::width + To::width <= 52, "golden, which has 53 bits, would not be correctly rounded");
   const std::int64_t d = raw(denominator);
   if (d == 0) {
     clipped = true;

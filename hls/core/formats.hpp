@@ -56,7 +56,7 @@ struct format {
   X(view_threshold,    24,  16, false)  /* Manhattan distance in pixels */                                     \
   /* bookkeeping */                                                                                            \
   X(generation,         4,   4, false)  /* generation of an edge, 0..15 */                                     \
-  X(weight,             5,   5, false)  /* place of a new vertex on its edge in sixteenths, 0..16; 8 is the middle */ \
+  X(weight,             5,   5, false)  /* place of a split on its edge in sixteenths, 0..16; 8 is the middle */      \
   X(index,             32,  32, false)  /* base triangle */
 // clang-format on
 

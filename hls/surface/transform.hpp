@@ -41,7 +41,7 @@ inline transform_out transform(transform_in const& in, transform_regs const& reg
   transform_out out;
   out.saturated = false;
   const auto s0_sum_w = dot(regs.row_w, in.p) + regs.offset_w;
-  static_assert(decltype(s0_sum_w)::format_type::width <= 53, "golden's double holds the sum");
+  static_assert(decltype(s0_sum_w)::format_type::width <= 53, "golden, which has 53 bits, holds the sum");
   bool w_clipped = false;
   out.w = round_to<formats::depth>(s0_sum_w, w_clipped);
   out.behind = out.w < regs.w_min || raw(out.w) == 0;
