@@ -1,4 +1,5 @@
 # rtl_<unit>: tests/<tree>/<unit>_rtl.cpp with the Verilated model of rtl/<tree>/<unit>.sv, one program a unit. A new file needs no line here.
+# What does not fit into one file goes on in <unit>_rtl_<part>.cpp.
 # Variants of a module with other parameters: <unit>_rtl.cpp may begin with lines
 #   // verilate: PREFIX NAME=VALUE ...
 # one a variant; without any there is one model, V<unit>. Models that the build has anyway are named by lines
@@ -24,7 +25,7 @@ foreach(test ${rtl_tests})
     continue()
   endif()
   set(has_registers OFF)
-  file(STRINGS ${test} hosted REGEX "^#include \"tests/support/edge_engine_session\\.hpp\"")
+  file(STRINGS ${test} hosted REGEX "^#include \"tests/support/edge_engine_(session|stories)\\.hpp\"")
   if(hosted)
     if(NOT relievo_registers)
       message(STATUS "rtl_${unit} is left out: it needs a register block")
@@ -45,7 +46,8 @@ foreach(test ${rtl_tests})
     relievo_verilate(model_${prefix} ${prefix} ${relievo_rtl}/${tree}/${unit}.sv ${variant})
     list(APPEND models model_${prefix})
   endforeach()
-  add_executable(rtl_${unit} ${test})
+  file(GLOB more CONFIGURE_DEPENDS ${tree}/${unit}_rtl_*.cpp)
+  add_executable(rtl_${unit} ${test} ${more})
   target_link_libraries(rtl_${unit} PRIVATE test_main ${models} relievo_test_options)
   if(has_registers)
     target_link_libraries(rtl_${unit} PRIVATE relievo_driver)

@@ -1,0 +1,49 @@
+// edge_engine_stories: errors of the edge engine, each told on a bench that has run, and that runs a good scene afterwards.
+//   session          of the model that tests/top/edge_engine_rtl.cpp names;  max_generation  of its build
+//   tell(story)      story(session, good scene), with and without traffic
+//   refused(spoil, code, part)   a start with spoilt registers, whose packet comes or does not; part of the driver's line
+#pragma once
+#include "Vedge_engine.h"
+#include "tests/support/edge_engine_session.hpp"
+
+namespace relievo::test {
+
+using session = edge_engine_session<Vedge_engine>;
+using code = tb::edge_engine_code;
+constexpr int max_generation = 6;
+
+template <class Story>
+void tell(Story story) {
+  for (traffic const& t : {traffic{0, 0, 1, 1}, traffic{6, 4, 1, 20}}) {
+    session it(t);
+    generator g("errors");
+    it.run(good_scene(g), true);
+    const engine_scene s = good_scene(g);
+    story(it, s);
+    if (testing::Test::HasFatalFailure()) FAIL() << "seed " << seed();
+    it.run(good_scene(g), true);
+    if (testing::Test::HasFatalFailure()) FAIL() << "the good scene afterwards, seed " << seed();
+  }
+}
+
+// A start that is refused, and its packet, which comes or does not.
+template <class Spoil>
+void refused(Spoil spoil, code wrong, std::string const& part) {
+  for (const bool comes : {true, false})
+    for (const bool counted : {true, false})
+      tell([&](session& it, engine_scene s) {
+        spoil(s.regs);
+        it.begin(s, counted ? static_cast<std::uint32_t>(s.base.size()) : 0);
+        const tb::edge_engine_state state = it.bench.driver.state();
+        ASSERT_TRUE(state.busy && state.error && !state.done);
+        it.expect_line(wrong, part);
+        if (comes)
+          it.send(s);
+        else
+          it.bench.driver.stop();
+        it.expect_mesh(first_of(s, 0), wrong);
+        ASSERT_TRUE(it.bench.idle());
+      });
+}
+
+}  // namespace relievo::test
