@@ -19,15 +19,14 @@ tested=$SECONDS
 
 # Half of the scenes again under AddressSanitizer and UndefinedBehaviorSanitizer, and the readers under libFuzzer with both (the other half
 # and the units: regress.sh).
-"$root/scripts/build.sh" sanitize system_tests
+"$root/scripts/build.sh" fuzz fuzz_targets system_tests
 shards=()
 for shard in 0 1; do
-  GTEST_TOTAL_SHARDS=4 GTEST_SHARD_INDEX=$shard "$root/build-sanitize/tests/system_tests" --gtest_brief=1 \
+  GTEST_TOTAL_SHARDS=4 GTEST_SHARD_INDEX=$shard "$root/build-fuzz/tests/system_tests" --gtest_brief=1 \
     --gtest_filter='-*jacksboro*:*map_5x8192*:*map_8192x5_clamp*:*ideal_decides*' &
   shards+=($!)
 done
 for shard in "${shards[@]}"; do wait "$shard" || status=$?; done
-"$root/scripts/build.sh" fuzz fuzz_targets
 ctest --test-dir "$root/build-fuzz" -L fuzz -j2 --output-on-failure || status=$?
 
 printf 'install %d s, build %d s, tests %d s, sanitizers and fuzzing %d s: %s\n' $((installed - started)) $((built - installed)) \
