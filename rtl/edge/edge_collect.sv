@@ -23,19 +23,18 @@ module edge_collect
   input  lane_out_t  [Lanes-1:0] lane_i,
   output logic                   out_valid_o,
   input  logic                   out_ready_i,
-  output tessellate_in_t         out_o,
-  output logic                   place_o
+  output collected_t             out_o
 );
-  assign place_o = flight_i.place;
-  assign out_o.t = flight_i.t;
+  assign out_o.place = flight_i.place;
+  assign out_o.t.t = flight_i.t;
 
   if (Lanes == 3) begin : gen_three
     assign out_valid_o = flight_valid_i && (&(lane_valid_i | ~flight_i.ask));
     assign flight_ready_o = out_valid_o && out_ready_i;
     assign lane_ready_o = flight_i.ask & {3{flight_ready_o}};
     for (genvar i = 0; i < 3; i++) begin : gen_edge
-      assign out_o.split[i] = flight_i.ask[i] && lane_i[i].split;
-      assign out_o.m[i] = lane_i[i].m;
+      assign out_o.t.split[i] = flight_i.ask[i] && lane_i[i].split;
+      assign out_o.t.m[i] = lane_i[i].m;
     end
     logic unused_clk;
     assign unused_clk = clk_i ^ rst_ni;
@@ -50,8 +49,8 @@ module edge_collect
     assign flight_ready_o = out_valid_o && out_ready_i;
     assign lane_ready_o[0] = flight_valid_i && left != '0 && (!last || out_ready_i);
     for (genvar i = 0; i < 3; i++) begin : gen_edge
-      assign out_o.split[i] = chosen[i] ? lane_i[0].split : split_q[i];
-      assign out_o.m[i] = chosen[i] ? lane_i[0].m : m_q[i];
+      assign out_o.t.split[i] = chosen[i] ? lane_i[0].split : split_q[i];
+      assign out_o.t.m[i] = chosen[i] ? lane_i[0].m : m_q[i];
       always_ff @(posedge clk_i) begin
         if (chosen[i] && lane_valid_i[0] && lane_ready_o[0]) m_q[i] <= lane_i[0].m;
       end

@@ -8,21 +8,19 @@
 //
 //   A triangle goes round: queue, get_triangle, the lanes, tessellate, and its children to the queue. A child whose edges are all settled
 //   is finished when it is born and goes out at once: settled edges cost nothing. A base triangle goes round once more, for its vertices.
-//   latency of one round 182 clocks for a triangle that stays whole and 190 for one that splits, with memories of latency 1; initiation
-//   interval: one unsettled edge a clock and lane. Registered: all outputs; within, dispatch, collect and results are gates between FIFOs,
-//   and wait until all that they need is there
+//   latency of one round 183 clocks with memories of latency 1, to the first of what comes of a triangle; initiation interval: one unsettled
+//   edge a clock and lane. Registered: all outputs; within, dispatch, collect and results are gates between FIFOs, and wait until all that
+//   they need is there
 //
-//   in --+--[get_triangle]--[dispatch]--+--[edge_lane]----+--[collect]--+--[tessellate]--+--[results]--+-- out
-//        |                              +--[flight FIFO]--+             +--[whole FIFO]--+             |
-//        +--------------------------------------[triangle_queue]---------------------------------------+
+//   in --+------[ask]------[dispatch]--+--[edge_lane]----+--[collect]--[outcome]--+--[output]-- out
+//        |                              +--[flight FIFO]--+                        |
+//        +----------------------------[triangle_queue]-----------------------------+
 module engine
   import formats_pkg::*;
-  import surface_pkg::*;
   import memory_pkg::*;
   import edge_pkg::*;
   import lane_pkg::*;
   import engine_pkg::*;
-  import latency_pkg::*;
 #(
   parameter int unsigned Lanes = 1,
   parameter int unsigned ReadsPerClock = 12,
@@ -74,19 +72,13 @@ module engine
 );
   // Triangles between their pop and their children: those of two maps' latencies and of all pipelines.
   localparam int unsigned FlightDepth = 2 * InFlight + 256;
-  // Whole triangles leave at one a clock and splits at one in two to four; each must be able to wait for a run of the other kind to end.
-  // One lane answers a triangle in two clocks or three, and the runs are short: 16 places, which an FPGA's small memories have. Of block
-  // memories the children of 32 splits would take 160.
-  localparam int unsigned WholeDepth = Lanes == 1 ? 16 : 32;
-  localparam int unsigned ChildrenDepth = Lanes == 1 ? 16 : 32;
 
   generation_t max_generation;
   assign max_generation = regs_i.pass.max_generation;
 
   // ---- the mesh: begun by start_i, its input over with the last base triangle
-  logic running_q, input_done_q, finish;
-  logic [2:0] out_count;
-  assign done_o = !running_q && out_count == '0;
+  logic running_q, input_done_q, finish, out_empty;
+  assign done_o = !running_q && out_empty;
 
   // ---- the next triangle: from the queue, or from outside when the queue has none
   logic pop_valid, pop_ready, may_take, take, push_valid, retire, queue_idle;
@@ -117,45 +109,24 @@ module engine
     .error_o
   );
 
-  triangle_t base, next;
-  always_comb begin
-    base = '0;
-    for (int i = 0; i < 3; i++) begin
-      base.v[i].p = in_i.v[i].p;
-      base.v[i].n = in_i.v[i].n;
-      base.v[i].t = in_i.v[i].t;
-      base.v[i].u = in_i.v[i].u;
-    end
-    base.index = in_i.index;
-  end
+  triangle_t next;
   logic take_open, got_ready;
   assign take_open = running_q && !input_done_q && may_take && !pop_valid;
   assign in_ready_o = take_open && got_ready;
   assign take = in_valid_i && in_ready_o;
   assign pop_ready = got_ready;
-  assign next = pop_valid ? popped : base;
+  assign next = pop_valid ? popped : to_triangle(in_i);
 
-  // ---- get_triangle: what is asked of it
-  get_triangle_out_t got_data;
-  triangle_t         got_triangle;
-  get_triangle i_get_triangle (
-    .clk_i, .max_generation_i(max_generation), .in_i(next), .out_o(got_data)
-  );
-  delay #(.T(triangle_t), .Stages(GetTriangle)) i_got (.clk_i, .x_i(next), .y_o(got_triangle));
-  flight_t got, ready_flight;
-  always_comb begin
-    got.t = got_triangle;
-    got.t.settled = got_data.settled;
-    got.place = |got_data.new_surface;
-    got.ask = got.place ? 3'b111 : ~got_data.settled;
-  end
+  // ---- what is asked of it
+  flight_t ready_flight;
   logic ready_valid, ready_ready;
-  stream_pipe #(.T(flight_t), .Latency(GetTriangle)) i_get_pipe (
+  edge_ask i_ask (
     .clk_i,
     .rst_ni,
+    .max_generation_i(max_generation),
     .in_valid_i(pop_valid || (take_open && in_valid_i)),
     .in_ready_o(got_ready),
-    .data_i(got),
+    .in_i(next),
     .out_valid_o(ready_valid),
     .out_ready_i(ready_ready),
     .out_o(ready_flight)
@@ -232,8 +203,8 @@ module engine
   end
 
   // ---- the answers, and the children
-  logic collected_valid, collected_ready, collected_place;
-  tessellate_in_t collected;
+  logic collected_valid, collected_ready;
+  collected_t collected;
   edge_collect #(.Lanes(Lanes)) i_collect (
     .clk_i,
     .rst_ni,
@@ -245,76 +216,18 @@ module engine
     .lane_i(lane_out),
     .out_valid_o(collected_valid),
     .out_ready_i(collected_ready),
-    .out_o(collected),
-    .place_o(collected_place)
+    .out_o(collected)
   );
-
-  // A triangle without a split stays as it is, a base triangle gets its vertices: both pass by tessellate.
-  logic   split, whole_in_ready, whole_valid, whole_ready;
-  whole_t whole_in, whole;
-  assign split = |collected.split;
-  always_comb begin
-    whole_in.t = collected.t;
-    if (collected_place) whole_in.t.v = collected.m;
-    else whole_in.t.settled = '1;
-    whole_in.placed = collected_place;
-  end
-  logic [$clog2(WholeDepth+1)-1:0] unused_whole_count;
-  stream_fifo #(.T(whole_t), .Depth(WholeDepth)) i_whole (
-    .clk_i,
-    .rst_ni,
-    .in_valid_i(collected_valid && !split),
-    .in_ready_o(whole_in_ready),
-    .in_i(whole_in),
-    .out_valid_o(whole_valid),
-    .out_ready_i(whole_ready),
-    .out_o(whole),
-    .count_o(unused_whole_count)
-  );
-
-  tessellate_out_t tessellated;
-  tessellate i_tessellate (
-    .clk_i,
-    .map_i(regs_i.map),
-    .max_generation_i(max_generation),
-    .in_i(collected),
-    .out_o(tessellated)
-  );
-  logic split_in_ready, children_valid, children_ready;
-  children_t children_in, children;
-  always_comb begin
-    children_in.t = tessellated.t;
-    for (int i = 0; i < 4; i++) begin
-      logic there, finished;
-      there = 3'(i) < tessellated.count;
-      finished = &tessellated.t[i].settled;
-      children_in.to_out[i] = there && finished;
-      children_in.to_queue[i] = there && !finished;
-    end
-  end
-  stream_pipe #(.T(children_t), .Latency(Tessellate), .Depth(ChildrenDepth)) i_tessellate_pipe (
-    .clk_i,
-    .rst_ni,
-    .in_valid_i(collected_valid && split),
-    .in_ready_o(split_in_ready),
-    .data_i(children_in),
-    .out_valid_o(children_valid),
-    .out_ready_i(children_ready),
-    .out_o(children)
-  );
-  assign collected_ready = split ? split_in_ready : whole_in_ready;
-
   logic finished_valid, finished_ready, finished_born;
   triangle_t finished;
-  edge_results #(.InFlight(FlightDepth)) i_results (
+  edge_outcome #(.Lanes(Lanes), .InFlight(FlightDepth)) i_outcome (
     .clk_i,
     .rst_ni,
-    .split_valid_i(children_valid),
-    .split_ready_o(children_ready),
-    .split_i(children),
-    .whole_valid_i(whole_valid),
-    .whole_ready_o(whole_ready),
-    .whole_i(whole),
+    .map_i(regs_i.map),
+    .max_generation_i(max_generation),
+    .in_valid_i(collected_valid),
+    .in_ready_o(collected_ready),
+    .in_i(collected),
     .push_valid_o(push_valid),
     .push_o(pushed),
     .retire_o(retire),
@@ -324,53 +237,36 @@ module engine
     .born_o(finished_born)
   );
 
-  // ---- out, one record late so that the last of the mesh can say so
-  logic hold_ready, holding_q, out_write, culled, arrives;
-  triangle_out_t held_q, out_word;
-  cull i_cull (
-    .away_i({finished.v[2].away, finished.v[1].away, finished.v[0].away}),
-    .regs_i(regs_i.pass),
-    .cull_o(culled)
-  );
-  assign finished_ready = !holding_q || hold_ready || culled;
-  assign arrives = finished_valid && finished_ready && !culled;
-  assign finish = running_q && input_done_q && queue_idle && hold_ready;
-  assign out_write = (arrives && holding_q) || finish;
-  always_comb begin
-    out_word = held_q;
-    if (finish) begin
-      if (!holding_q) begin
-        out_word = '0;
-        out_word.empty = 1'b1;
-      end
-      out_word.last = 1'b1;
-    end
-  end
-  stream_fifo #(.T(triangle_out_t), .Depth(4)) i_out (
+  // ---- out; the mesh is over when its last triangle is
+  logic over, arrives, culled;
+  assign over = running_q && input_done_q && queue_idle;
+  edge_output i_output (
     .clk_i,
     .rst_ni,
-    .in_valid_i(out_write),
-    .in_ready_o(hold_ready),
-    .in_i(out_word),
+    .clear_i(start_i),
+    .regs_i(regs_i.pass),
+    .over_i(over),
+    .in_valid_i(finished_valid),
+    .in_ready_o(finished_ready),
+    .in_i(finished),
     .out_valid_o,
     .out_ready_i,
     .out_o,
-    .count_o(out_count)
+    .arrives_o(arrives),
+    .culled_o(culled),
+    .finish_o(finish),
+    .empty_o(out_empty)
   );
 
   always_ff @(posedge clk_i) begin
-    if (arrives) held_q <= to_output(finished);
     if (!rst_ni) begin
       running_q <= 1'b0;
       input_done_q <= 1'b0;
-      holding_q <= 1'b0;
     end else if (start_i) begin
       running_q <= 1'b1;
       input_done_q <= 1'b0;
-      holding_q <= 1'b0;
     end else begin
       if (end_i || (take && in_i.last)) input_done_q <= 1'b1;
-      if (arrives) holding_q <= 1'b1;
       if (finish) running_q <= 1'b0;
     end
   end
@@ -381,7 +277,7 @@ module engine
   for (genvar i = 0; i < Lanes; i++) begin : gen_counts
     assign lane_counts[i] = lane_out[i].counts;
   end
-  assign tested = collected_valid && collected_ready && !collected_place;
+  assign tested = collected_valid && collected_ready && !collected.place;
   edge_counters #(.Lanes(Lanes)) i_counters (
     .clk_i,
     .rst_ni,
@@ -390,11 +286,11 @@ module engine
     .lane_valid_i(lane_valid & lane_ready),
     .lane_i(lane_counts),
     .tested_i(tested),
-    .settled_i(collected.t.settled),
-    .split_i(collected.split),
+    .settled_i(collected.t.t.settled),
+    .split_i(collected.t.split),
     .born_i(finished_valid && finished_ready && finished_born),
     .out_i(arrives),
-    .culled_i(finished_valid && culled),
+    .culled_i(culled),
     .high_water_i(high_water),
     .fallbacks_i(fallbacks),
     .counters_o

@@ -12,18 +12,19 @@ package engine_pkg;
     triangle_t       t;
   } flight_t;
 
-  // What becomes of a triangle that splits: two to four children, each bound for the queue or out.
+  // What the lanes answered about a triangle; place: it is a base triangle, and m are its vertices.
   typedef struct packed {
-    logic      [3:0] to_out;
-    logic      [3:0] to_queue;
-    triangle_t [3:0] t;
-  } children_t;
+    logic           place;
+    tessellate_in_t t;
+  } collected_t;
 
-  // A triangle that did not split, or (placed) a base triangle that got its vertices and was not looked at yet.
+  // What comes of it, one triangle after the other: its children, or what was not split, itself.
+  //   born  nobody has looked at it yet;  ends  it is the last of them
   typedef struct packed {
-    logic      placed;
+    logic      ends;
+    logic      born;
     triangle_t t;
-  } whole_t;
+  } child_t;
 
   // Places of the counters, in the order of hls/edge/counters.hpp.
   localparam int unsigned CounterWords = 23;
@@ -59,6 +60,20 @@ package engine_pkg;
         n: v.n,
         p: v.p
     };
+  endfunction
+
+  // A base triangle as it comes in: of generation 0, nothing settled or computed.
+  function automatic triangle_t to_triangle(base_triangle_t base);
+    triangle_t t;
+    t = '0;
+    for (int i = 0; i < 3; i++) begin
+      t.v[i].p = base.v[i].p;
+      t.v[i].n = base.v[i].n;
+      t.v[i].t = base.v[i].t;
+      t.v[i].u = base.v[i].u;
+    end
+    t.index = base.index;
+    return t;
   endfunction
 
   function automatic triangle_out_t to_output(triangle_t t);

@@ -15,5 +15,5 @@ package latency_pkg;
   localparam int unsigned Transform = 32;
   localparam int unsigned TransformNormal = 6;
   localparam int unsigned GetTriangle = 1;
-  localparam int unsigned Tessellate = 8;
+  localparam int unsigned ShorterDiagonal = 9;
 endpackage

@@ -1,48 +1,64 @@
-// tessellate: builds the two, three or four triangles of a triangle with one, two or three split edges.
+// tessellate: builds the two, three or four triangles of a triangle with one, two or three split edges, one after the other.
 //   the patterns, their order, generations and settled edges: contract: hls/edge/tessellate.hpp
 //
-//   in    in_i   at least one edge is split
-//   out   out_o  t[i] says something where i < count
+//   in    in_valid_i, in_ready_o, in_i   a triangle, which of its edges split, and where; one that does not split passes as it is, settled;
+//                                        a base triangle (place) gets its vertices
+//   out   out_valid_o, out_ready_i, out_o
+//   max_generation_i, map_i              constant while triangles are inside
 //
-//   latency 8, initiation interval 1; a pure pipeline: never stalls, no reset on data; registered: every stage
+//   latency 4, of the second triangle of two splits 13; initiation interval: the triangles that are
+//   put out, and 3 behind two splits. Registered: all outputs; no path from out_ready_i to in_ready_o
 //
-//   in --[s0_turned]--+--[s1_first, second]--[s2_less, more]--x--[s3_product]-- + + --[s4_difference]--+
-//     a b c m p q     +--[vertex_order]----------------------------------------------------------------+--[s5_first]--+
-//                     +------------------------------------------------------------------------------------------------+--[t]
+//   in --+--[stream_fifo]-----------------------+--[t]-- out
+//        +--[shorter_diagonal]--[stream_fifo]---+
 //
-//   The triangle is turned first, so that its one split edge, or its one whole edge, runs from a to b: one pattern each remains,
+//   Six vertices wait in the FIFO and not the twelve of the children: a child's are chosen when it leaves. With a, b, c turned so that the
+//   one split edge, or the one whole edge, runs from a to b,
 //       1 split              2 splits              3 splits
 //          c                     c                     c             m is the new vertex of a-b,
 //         /|\                  q/_\p                 q/_\p           p of b-c, q of c-a
-//        / | \                 /   \                 /\ /\           t[0] t[1] t[2] t[3] in the order of the contract
+//        / | \                 /   \                 /\ /\           the children in the order of the contract
 //      a/__m__\b             a/_____\b             a/__m__\b
-//   Which diagonal of the quad a b p q is shorter is the sign of |a-p|^2 - |b-q|^2, exact: with x = a-p and y = b-q it is the sum of
-//   (x-y)(x+y) over the axes, three products in the place of six squares.
 module tessellate
   import formats_pkg::*;
   import surface_pkg::*;
   import edge_pkg::*;
-(
-  input  logic            clk_i,
-  input  map_regs_t       map_i,
-  input  generation_t     max_generation_i,
-  input  tessellate_in_t  in_i,
-  output tessellate_out_t out_o
+  import engine_pkg::*;
+  import latency_pkg::*;
+#(
+  parameter int unsigned Depth = 16
+) (
+  input  logic        clk_i,
+  input  logic        rst_ni,
+  input  map_regs_t   map_i,
+  input  generation_t max_generation_i,
+  input  logic        in_valid_i,
+  output logic        in_ready_o,
+  input  collected_t  in_i,
+  output logic        out_valid_o,
+  input  logic        out_ready_i,
+  output child_t      out_o
 );
   typedef struct packed {
     logic        settled;
     generation_t generation;
   } edge_state_t;
-  // A triangle turned so that vertex 0 is a; m[i] is the new vertex of edge i.
+  // What waits: settled speaks of a base triangle alone; highest is the largest generation of a split edge.
   typedef struct packed {
-    edge_state_t       inner;
-    edge_state_t [2:0] half;
-    edge_state_t [2:0] whole;
+    logic              place;
+    logic        [2:0] split;
+    logic        [2:0] settled;
+    generation_t       highest;
+    generation_t [2:0] generation;
     index_t            index;
     vertex_t     [2:0] m;
     vertex_t     [2:0] v;
-    logic        [1:0] splits;
-  } turned_t;
+  } word_t;
+  // A vertex of a child: one of a, b, c, m, p, q, turned back to those of word_t; one bit is set.
+  typedef struct packed {
+    logic [2:0] m;
+    logic [2:0] v;
+  } choice_t;
 
   function automatic edge_state_t child_edge(generation_t parent, generation_t limit);
     generation_t generation;
@@ -52,120 +68,180 @@ module tessellate
   function automatic generation_t larger(generation_t a, generation_t b);
     return a > b ? a : b;
   endfunction
-  function automatic triangle_t triangle(index_t index, vertex_t a, vertex_t b, vertex_t c,
-                                         edge_state_t ab, edge_state_t bc, edge_state_t ca);
-    return '{
-      v: {c, b, a},
-      index: index,
-      generation: {ca.generation, bc.generation, ab.generation},
-      settled: {ca.settled, bc.settled, ab.settled},
-      last: 1'b0
-    };
+  // What is called a, b, c (m, p, q) as the place among v (m): a is v[turn].
+  function automatic logic [1:0] turn_of(logic [2:0] split);
+    unique case (split)
+      3'b010, 3'b101: return 2'd1;
+      3'b100, 3'b011: return 2'd2;
+      default: return 2'd0;
+    endcase
+  endfunction
+  function automatic logic [2:0] place_of(logic [1:0] turn, int unsigned name);
+    unique case (turn)
+      2'd1: return 3'b001 << ((name + 1) % 3);
+      2'd2: return 3'b001 << ((name + 2) % 3);
+      default: return 3'b001 << name;
+    endcase
+  endfunction
+  function automatic vertex_t choose(vertex_t [2:0] v, vertex_t [2:0] m, choice_t which);
+    vertex_t chosen;
+    chosen = '0;
+    for (int i = 0; i < 3; i++) begin
+      chosen |= {$bits(vertex_t){which.v[i]}} & v[i];
+      chosen |= {$bits(vertex_t){which.m[i]}} & m[i];
+    end
+    return chosen;
   endfunction
 
-  // ---- s0: turned
-  localparam int unsigned Pattern [8] = '{0, 1, 1, 2, 1, 2, 2, 3};
-  logic [1:0] turn;
+  // ---- in: of two splits the diagonals are asked for, which takes three clocks
+  logic take, two_in, asking, words_ready, unused_decisions_ready;
+  logic [1:0] asked_q;
+  assign asking = asked_q != '0;
+  assign in_ready_o = words_ready && !asking;
+  assign take = in_valid_i && in_ready_o;
+  assign two_in = $countones(in_i.t.split) == 2;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) asked_q <= '0;
+    else asked_q <= {asked_q[0], take && two_in};
+  end
+
+  generation_t [2:0] split_generation;
+  word_t word_in, word;
   always_comb begin
-    unique case (in_i.split)
-      3'b010, 3'b101: turn = 2'd1;
-      3'b100, 3'b011: turn = 2'd2;
-      default: turn = 2'd0;
+    for (int i = 0; i < 3; i++) begin
+      split_generation[i] = in_i.t.split[i] ? in_i.t.t.generation[i] : '0;
+    end
+    word_in = '{
+        place: in_i.place,
+        split: in_i.t.split,
+        settled: in_i.t.t.settled,
+        highest: larger(larger(split_generation[0], split_generation[1]), split_generation[2]),
+        generation: in_i.t.t.generation,
+        index: in_i.t.t.index,
+        m: in_i.t.m,
+        v: in_i.t.t.v
+    };
+  end
+  logic word_valid, word_ready;
+  logic [$clog2(Depth+1)-1:0] unused_count;
+  stream_fifo #(.T(word_t), .Depth(Depth)) i_words (
+    .clk_i,
+    .rst_ni,
+    .in_valid_i(take),
+    .in_ready_o(words_ready),
+    .in_i(word_in),
+    .out_valid_o(word_valid),
+    .out_ready_i(word_ready),
+    .out_o(word),
+    .count_o(unused_count)
+  );
+
+  // ---- of two splits, whether the diagonal a-p is taken; a decision for every such word, so that there is always a place for it
+  logic [2:0][1:0] from;
+  logic decision, decided, decision_ready, first;
+  always_comb begin
+    for (int i = 0; i < 3; i++) from[i] = 2'((i + int'(turn_of(in_i.t.split))) % 3);
+  end
+  shorter_diagonal i_diagonal (
+    .clk_i,
+    .map_i,
+    .start_i(take && two_in),
+    .a_i(in_i.t.t.v[from[0]]),
+    .b_i(in_i.t.t.v[from[1]]),
+    .p_i(in_i.t.m[from[1]]),
+    .q_i(in_i.t.m[from[2]]),
+    .first_o(decision)
+  );
+  stream_pipe #(.T(logic), .Latency(ShorterDiagonal), .Depth(Depth)) i_decisions (
+    .clk_i,
+    .rst_ni,
+    .in_valid_i(take && two_in),
+    .in_ready_o(unused_decisions_ready),
+    .data_i(decision),
+    .out_valid_o(decided),
+    .out_ready_i(decision_ready),
+    .out_o(first)
+  );
+
+  // ---- out: the next child of the word at the head
+  logic [1:0] splits, child_q;
+  logic known, free, go, ends;
+  assign splits = 2'($countones(word.split));
+  assign ends = child_q == splits;
+  assign known = splits != 2'd2 || child_q == '0 || decided;
+  assign free = !out_valid_o || out_ready_i;
+  assign go = word_valid && known && free;
+  assign word_ready = known && free && ends;
+  assign decision_ready = word_valid && splits == 2'd2 && ends && free;
+
+  logic    [2:0] a, b, c;
+  choice_t [2:0] choice;
+  always_comb begin
+    a = place_of(turn_of(word.split), 0);
+    b = place_of(turn_of(word.split), 1);
+    c = place_of(turn_of(word.split), 2);
+    // m lies on the edge that begins at a: its place among m is that of a among v, and so p's is b's and q's is c's.
+    choice = '0;
+    unique case ({splits, child_q})
+      4'b01_00: {choice[0].v, choice[1].m, choice[2].v} = {a, a, c};
+      4'b01_01: {choice[0].m, choice[1].v, choice[2].v} = {a, b, c};
+      4'b10_00, 4'b11_10: {choice[0].m, choice[1].m, choice[2].v} = {c, b, c};
+      4'b10_01: {choice[0].v, choice[1].v, choice[2].m} = {a, b, first ? b : c};
+      4'b10_10: {choice[0].v, choice[1].m, choice[2].m} = {first ? a : b, b, c};
+      4'b11_00: {choice[0].v, choice[1].m, choice[2].m} = {a, a, c};
+      4'b11_01: {choice[0].m, choice[1].v, choice[2].m} = {a, b, b};
+      4'b11_11: {choice[0].m, choice[1].m, choice[2].m} = {a, b, c};
+      default: begin
+        if (word.place) {choice[0].m, choice[1].m, choice[2].m} = {a, b, c};
+        else {choice[0].v, choice[1].v, choice[2].v} = {a, b, c};
+      end
     endcase
   end
-  generation_t [2:0] asked;
-  always_comb begin
-    for (int i = 0; i < 3; i++) asked[i] = in_i.split[i] ? in_i.t.generation[i] : '0;
-  end
 
-  logic [2:0][1:0] from;
-  always_comb begin
-    for (int i = 0; i < 3; i++) from[i] = 2'((i + int'(turn)) % 3);
-  end
-
-  turned_t s0_turned_q;
-  always_ff @(posedge clk_i) begin
-    s0_turned_q.splits <= 2'(Pattern[in_i.split]);
-    s0_turned_q.index <= in_i.t.index;
-    s0_turned_q.inner <= child_edge(larger(larger(asked[0], asked[1]), asked[2]), max_generation_i);
-    for (int i = 0; i < 3; i++) begin
-      s0_turned_q.v[i] <= in_i.t.v[from[i]];
-      s0_turned_q.m[i] <= in_i.m[from[i]];
-      s0_turned_q.whole[i] <= '{generation: in_i.t.generation[from[i]], settled: 1'b1};
-      s0_turned_q.half[i] <= child_edge(in_i.t.generation[from[i]], max_generation_i);
-    end
-  end
-
-  // ---- s1 to s4: the difference of the squared diagonals. A product of two words of 26 bits has 52, three of them 54.
-  logic signed [2:0][51:0] s3_product;
-  for (genvar i = 0; i < 3; i++) begin : gen_axis
-    position_t a, b, p, q;
-    assign a = s0_turned_q.v[0].p[i];
-    assign b = s0_turned_q.v[1].p[i];
-    assign p = s0_turned_q.m[1].p[i];
-    assign q = s0_turned_q.m[2].p[i];
-    logic signed [24:0] s1_first_q, s1_second_q;
-    logic signed [25:0] s2_less_q, s2_more_q;
-    always_ff @(posedge clk_i) begin
-      s1_first_q  <= 25'(a) - 25'(p);
-      s1_second_q <= 25'(b) - 25'(q);
-      s2_less_q   <= 26'(s1_first_q) - 26'(s1_second_q);
-      s2_more_q   <= 26'(s1_first_q) + 26'(s1_second_q);
-    end
-    multiply #(.A(26), .B(26)) i_product (
-      .clk_i, .a_i(s2_less_q), .b_i(s2_more_q), .y_o(s3_product[i])
-    );
-  end
-  logic signed [53:0] s4_difference_q;
-  always_ff @(posedge clk_i) begin
-    s4_difference_q <= 54'(signed'(s3_product[0])) + 54'(signed'(s3_product[1]))
-                     + 54'(signed'(s3_product[2]));
-  end
-
-  // ---- s5: a-p is the diagonal
-  logic precedes, s4_precedes, s5_first_q;
-  vertex_order i_order (
-    .clk_i, .map_i, .a_i(s0_turned_q.v[0]), .b_i(s0_turned_q.v[1]), .precedes_o(precedes)
-  );
-  delay #(.Stages(3)) i_precedes (.clk_i, .x_i(precedes), .y_o(s4_precedes));
-  always_ff @(posedge clk_i) begin
-    s5_first_q <= s4_difference_q[53] || (s4_difference_q == '0 && s4_precedes);
-  end
-
-  // ---- the triangles
-  turned_t s5;
-  delay #(.T(turned_t), .Stages(6)) i_turned (.clk_i, .x_i(s0_turned_q), .y_o(s5));
-  vertex_t a, b, c, m, p, q;
-  assign {c, b, a} = s5.v;
-  assign {q, p, m} = s5.m;
-  edge_state_t [2:0] whole, half;
+  // Edges of a child: an inner one, or a half or whole edge of the triangle.
   edge_state_t       inner;
-  assign whole = s5.whole;
-  assign half = s5.half;
-  assign inner = s5.inner;
+  edge_state_t [2:0] half, whole, edges;
+  always_comb begin
+    inner = child_edge(word.highest, max_generation_i);
+    for (int i = 0; i < 3; i++) begin
+      automatic logic [1:0] place = 2'((i + int'(turn_of(word.split))) % 3);
+      half[i] = child_edge(word.generation[place], max_generation_i);
+      whole[i] = '{generation: word.generation[place], settled: !word.place || word.settled[i]};
+    end
+    unique case ({splits, child_q})
+      4'b01_00: edges = {whole[2], inner, half[0]};
+      4'b01_01: edges = {inner, whole[1], half[0]};
+      4'b10_00, 4'b11_10: edges = {half[2], half[1], inner};
+      4'b10_01: edges = first ? {inner, half[1], whole[0]} : {half[2], inner, whole[0]};
+      4'b10_10: edges = first ? {half[2], inner, inner} : {inner, inner, half[1]};
+      4'b11_00: edges = {half[2], inner, half[0]};
+      4'b11_01: edges = {inner, half[1], half[0]};
+      4'b11_11: edges = {inner, inner, inner};
+      default: edges = whole;
+    endcase
+  end
+
   always_ff @(posedge clk_i) begin
-    out_o.count <= 3'(s5.splits) + 3'd1;
-    // Of three splits, and of the other two patterns as far as they reach.
-    out_o.t[0] <= triangle(s5.index, a, m, q, half[0], inner, half[2]);
-    out_o.t[1] <= triangle(s5.index, m, b, p, half[0], half[1], inner);
-    out_o.t[2] <= triangle(s5.index, q, p, c, inner, half[1], half[2]);
-    out_o.t[3] <= triangle(s5.index, m, p, q, inner, inner, inner);
-    if (s5.splits == 2'd1) begin
-      out_o.t[0] <= triangle(s5.index, a, m, c, half[0], inner, whole[2]);
-      out_o.t[1] <= triangle(s5.index, m, b, c, half[0], whole[1], inner);
-    end else if (s5.splits == 2'd2) begin
-      out_o.t[0] <= triangle(s5.index, q, p, c, inner, half[1], half[2]);
-      if (s5_first_q) begin
-        out_o.t[1] <= triangle(s5.index, a, b, p, whole[0], half[1], inner);
-        out_o.t[2] <= triangle(s5.index, a, p, q, inner, inner, half[2]);
-      end else begin
-        out_o.t[1] <= triangle(s5.index, a, b, q, whole[0], inner, half[2]);
-        out_o.t[2] <= triangle(s5.index, b, p, q, half[1], inner, inner);
+    if (free) begin
+      for (int i = 0; i < 3; i++) begin
+        out_o.t.v[i] <= choose(word.v, word.m, choice[i]);
+        {out_o.t.settled[i], out_o.t.generation[i]} <= edges[i];
       end
+      out_o.t.index <= word.index;
+      out_o.t.last <= 1'b0;
+      out_o.born <= splits != '0 || word.place;
+      out_o.ends <= ends;
+    end
+    if (!rst_ni) begin
+      out_valid_o <= 1'b0;
+      child_q <= '0;
+    end else begin
+      if (free) out_valid_o <= word_valid && known;
+      if (go) child_q <= ends ? '0 : child_q + 2'd1;
     end
   end
 
-  // Where the triangle was last of its mesh, or which of its edges were settled, its children do not say.
+  // What was last of its mesh does not say so.
   logic unused_last;
-  assign unused_last = ^{in_i.t.last, in_i.t.settled};
+  assign unused_last = in_i.t.t.last;
 endmodule

@@ -1,27 +1,23 @@
-// engine_cover: what scenes are to reach in the engine: every pattern of splits, both diagonals and the tie between them, every way in
-// which a mesh begins and ends, and every place where a word can be kept waiting.
+// engine_cover: what scenes are to reach in the engine: every pattern of splits, every way in which a mesh begins and ends, and every
+// place where a word can be kept waiting.
 //   bound into engine; the points see words that move, or wait, at the clock, never what lies in a pipeline between words
 module engine_cover
   import surface_pkg::*;
   import edge_pkg::*;
-  import latency_pkg::*;
 #(
   parameter int unsigned Lanes = 1
 ) (
   input logic             clk_i,
   input logic             rst_ni,
-  // a triangle was looked at: which edges split, and tessellate's difference of the squared diagonals
+  // a triangle was looked at: which edges split
   input logic             tested,
   input logic [2:0]       split_i,
-  input logic             equal_i,
-  input logic             first_i,
-  input logic [Tessellate-1:0] travelling_i,
   // the mesh
   input logic             end_i,
   input logic             take,
   input logic             last_i,
   input logic             finish,
-  input logic             holding_q,
+  input logic             holding_i,
   input logic             culled,
   // links
   input logic             in_valid_i,
@@ -47,16 +43,10 @@ module engine_cover
   input logic [Lanes-1:0] lane_valid,
   input logic [Lanes-1:0] lane_ready,
   input logic             collected_valid,
-  input logic             split,
-  input logic             whole_in_ready,
-  input logic             split_in_ready,
-  input logic             whole_valid,
-  input logic             whole_ready,
-  input logic             children_valid,
-  input logic             children_ready,
+  input logic             collected_ready,
   input logic             finished_valid,
   input logic             finished_ready,
-  input logic             hold_ready,
+  input logic             hold_ready_i,
   input logic             running_q,
   input logic             input_done_q
 );
@@ -70,27 +60,11 @@ module engine_cover
   split_101: cover property (@(posedge clk_i) rst_ni && tested && split_i == 3'b101);
   split_111: cover property (@(posedge clk_i) rst_ni && tested && split_i == 3'b111);
 
-  // ---- diagonals of two splits: the choice is made in the last stage but one, of what was taken so many clocks ago
-  localparam int unsigned Choice = Tessellate - 1;
-  logic [2:0] split_later;
-  logic       equal_q, two;
-  delay #(.T(logic [2:0]), .Stages(Choice)) i_split (.clk_i, .x_i(split_i), .y_o(split_later));
-  always_ff @(posedge clk_i) equal_q <= equal_i;
-  assign two = rst_ni && travelling_i[Choice-1] && $countones(split_later) == 2;
-  first_diagonal_of_011: cover property (@(posedge clk_i) two && first_i && split_later == 3'b011);
-  first_diagonal_of_110: cover property (@(posedge clk_i) two && first_i && split_later == 3'b110);
-  first_diagonal_of_101: cover property (@(posedge clk_i) two && first_i && split_later == 3'b101);
-  other_diagonal_of_011: cover property (@(posedge clk_i) two && !first_i && split_later == 3'b011);
-  other_diagonal_of_110: cover property (@(posedge clk_i) two && !first_i && split_later == 3'b110);
-  other_diagonal_of_101: cover property (@(posedge clk_i) two && !first_i && split_later == 3'b101);
-  tie_for_the_first: cover property (@(posedge clk_i) two && equal_q && first_i);
-  tie_for_the_other: cover property (@(posedge clk_i) two && equal_q && !first_i);
-
   // ---- the mesh
   last_triangle_taken: cover property (@(posedge clk_i) rst_ni && take && last_i);
   ended_without_a_last: cover property (@(posedge clk_i) rst_ni && end_i && !input_done_q);
-  empty_mesh: cover property (@(posedge clk_i) rst_ni && finish && !holding_q);
-  triangle_culled: cover property (@(posedge clk_i) rst_ni && finished_valid && culled);
+  empty_mesh: cover property (@(posedge clk_i) rst_ni && finish && !holding_i);
+  triangle_culled: cover property (@(posedge clk_i) rst_ni && culled);
 
   // ---- links that wait
   in_waits: cover property (@(posedge clk_i) rst_ni && in_valid_i && !in_ready_o);
@@ -113,23 +87,17 @@ module engine_cover
   flight_full: cover property (@(posedge clk_i) rst_ni && ready_valid && !flight_in_ready);
   lane_refuses: cover property (@(posedge clk_i) rst_ni && |(lane_in_valid & ~lane_in_ready));
   lane_waits: cover property (@(posedge clk_i) rst_ni && |(lane_valid & ~lane_ready));
-  whole_full: cover property (@(posedge clk_i) rst_ni && collected_valid && !split
-                                               && !whole_in_ready);
-  children_full: cover property (@(posedge clk_i) rst_ni && collected_valid && split
-                                                  && !split_in_ready);
-  whole_waits: cover property (@(posedge clk_i) rst_ni && whole_valid && !whole_ready);
-  children_wait: cover property (@(posedge clk_i) rst_ni && children_valid && !children_ready);
+  collected_waits: cover property (@(posedge clk_i) rst_ni && collected_valid && !collected_ready);
   finished_waits: cover property (@(posedge clk_i) rst_ni && finished_valid && !finished_ready);
-  out_full: cover property (@(posedge clk_i) rst_ni && !hold_ready);
+  out_full: cover property (@(posedge clk_i) rst_ni && !hold_ready_i);
 endmodule
 
 bind engine engine_cover #(
   .Lanes(Lanes)
 ) i_cover (
-  .split_i(collected.split),
-  .equal_i(i_tessellate.s4_difference_q == '0),
-  .first_i(i_tessellate.s5_first_q),
-  .travelling_i(i_tessellate_pipe.travelling_q),
+  .split_i(collected.t.split),
   .last_i(in_i.last),
+  .holding_i(i_output.holding_q),
+  .hold_ready_i(i_output.hold_ready),
   .*
 );

@@ -139,13 +139,13 @@ constexpr int beside_the_map_tests = fifo, summed_height_test = 63;  // and the 
 constexpr int new_vertex = 25 + fifo;
 constexpr int beside_the_maps = fifo, displace_vertex = 31;  // and the memory
 constexpr int back = 37 + fifo;
-constexpr int past_tessellate = fifo;  // whole triangles do
+constexpr int tessellate = fifo + 1;
 constexpr int queue = 3;
 // Start, the queue's first permission, the record that is held back, the queue's last word, the FIFO in front of the output.
 constexpr int ends = 6 + fifo;
 
 constexpr int round_of(int map_tests, int maps) {
-  return get_triangle + three_edges + front + map_tests + new_vertex + maps + back + past_tessellate;
+  return get_triangle + three_edges + front + map_tests + new_vertex + maps + back + tessellate;
 }
 
 // A base triangle goes round for its vertices, and once more for its edges where generations are left. Nothing splits.
