@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # A longer campaign with the same test programs: scripts/regress.sh [--seeds N] [--vectors N]
-#   first the circuit with more build parameters: every scene in the smallest queue, the throughput with each, the top with AXI4 memories;
+#   first the circuit with more build parameters: every scene in the smallest queue, the throughput with each, the top with AXI4 memories
+#   and that with three lanes;
 #   then what of the circuits the regression reaches (scripts/coverage.sh);
 #   then the other half of the scenes, and the units, under AddressSanitizer and UndefinedBehaviorSanitizer, with few vectors; then
 #   units and their circuits again with seeds 2..N+1 and so many random vectors each (default 10 seeds, 1,000,000 vectors). Stops at the first failure, whose
@@ -19,7 +20,7 @@ while (($#)); do
 done
 
 "$root/scripts/install.sh"
-"$root/scripts/build.sh" campaign cosim_tests rtl_edge_engine_axi
+"$root/scripts/build.sh" campaign cosim_tests rtl_edge_engine_axi rtl_edge_engine_lanes
 ctest --test-dir "$root/build-campaign" -L 'cosim|campaign' -j2 --output-on-failure
 "$root/scripts/coverage.sh"
 "$root/scripts/build.sh" release

@@ -1,16 +1,32 @@
 // edge_engine_stories: errors of the edge engine, each told on a bench that has run, and that runs a good scene afterwards.
-//   session          of the model that tests/top/edge_engine_rtl.cpp names;  max_generation  of its build
+//   session          of the top that the tests of tests/top/edge_engine_rtl*.cpp are compiled for: one lane, or RELIEVO_TOP_LANES of them
+//   built_with       what that top was built with
 //   tell(story)      story(session, good scene), with and without traffic
 //   refused(spoil, code, part)   a start with spoilt registers, whose packet comes or does not; part of the driver's line
 #pragma once
+#ifndef RELIEVO_TOP_LANES
+#define RELIEVO_TOP_LANES 1
+#endif
+#if RELIEVO_TOP_LANES == 1
 #include "Vedge_engine.h"
+#else
+#include "Vedge_engine_lanes.h"
+#endif
 #include "tests/support/edge_engine_session.hpp"
 
 namespace relievo::test {
 
-using session = edge_engine_session<Vedge_engine>;
+// The parameters of the models, as rtl/CMakeLists.txt and tests/rtl.cmake name them.
+#if RELIEVO_TOP_LANES == 1
+constexpr tb::edge_engine_build built_with = {1, 3, 1, 1024, 12};
+using top = Vedge_engine;
+#else
+constexpr tb::edge_engine_build built_with = {3, 4, 4, 128, 6};
+using top = Vedge_engine_lanes;
+#endif
+using memories = tb::map_ports<top, int(built_with.lanes), int(built_with.sat_reads_per_clock), int(built_with.profile_samples_per_clock)>;
+using session = edge_engine_session<top, memories>;
 using code = tb::edge_engine_code;
-constexpr int max_generation = 6;
 
 template <class Story>
 void tell(Story story) {

@@ -1,4 +1,4 @@
-// verilate: Vedge_engine SAT_READS_PER_CLOCK=3 PROFILE_SAMPLES_PER_CLOCK=1 QUEUE_DEPTH=128 MAX_GENERATION=6
+// model: Vedge_engine
 // edge_engine: the circuit through its buses, maps built by its builders, meshes back to back with other registers: the triangles and
 // counters of hls::engine. Its errors: edge_engine_rtl_errors.cpp.
 #include <gtest/gtest.h>
@@ -11,11 +11,11 @@ namespace {
 TEST(edge_engine, says_what_it_was_built_with) {
   session it;
   const tb::edge_engine_build b = it.bench.driver.build();
-  EXPECT_EQ(b.lanes, 1u);
-  EXPECT_EQ(b.sat_reads_per_clock, 3u);
-  EXPECT_EQ(b.profile_samples_per_clock, 1u);
-  EXPECT_EQ(b.queue_depth, 128u);
-  EXPECT_EQ(b.max_generation, static_cast<std::uint32_t>(max_generation));
+  EXPECT_EQ(b.lanes, built_with.lanes);
+  EXPECT_EQ(b.sat_reads_per_clock, built_with.sat_reads_per_clock);
+  EXPECT_EQ(b.profile_samples_per_clock, built_with.profile_samples_per_clock);
+  EXPECT_EQ(b.queue_depth, built_with.queue_depth);
+  EXPECT_EQ(b.max_generation, built_with.max_generation);
 }
 
 // What can be written and read back is the records' bits, whole words where more has to be refused, and expected_triangles; all else
