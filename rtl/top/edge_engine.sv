@@ -17,8 +17,8 @@
 //   latency of a mesh: its own; initiation interval: that of the engine, a base triangle every other clock at most. All outputs are
 //   registered or a few gates from registers.
 //
-//   s_axil --[registers]--[control]--+
-//   s_axis --[input]-----------------+--[engine]-- m_axis
+//   s_axil --[registers]--+
+//   s_axis ---------------+--[mesh]--[engine]-- m_axis
 //   s_axis_map --[maps]-- writes          |
 //                                     read ports
 module edge_engine
@@ -136,7 +136,7 @@ module edge_engine
   counters_t        counters;
   engine_regs_t     written_regs, regs;
   normal_map_regs_t normal_regs;
-  logic [31:0]      written_expected, expected, saturations;
+  logic [31:0]      written_expected, saturations;
   logic             generation_beyond;
   build_t           build;
   assign build = '{
@@ -165,11 +165,11 @@ module edge_engine
   );
 
   // ---- a mesh from start to done
-  logic engine_done, overflow, input_over, begins, refuse, close, stop, ends, mesh_swallowing;
-  logic map_swallowing;
-  coordinate_t [1:0] limit;
-  error_code_e input_error, map_error_code;
-  edge_engine_control i_control (
+  logic           engine_done, overflow, begins, ends, mesh_swallowing, map_swallowing;
+  error_code_e    map_error_code;
+  logic           in_valid, in_ready;
+  base_triangle_t in_word;
+  edge_engine_mesh i_mesh (
     .clk_i(aclk),
     .rst_ni(rst_nq),
     .max_generation_i(generation_t'(MAX_GENERATION)),
@@ -179,47 +179,26 @@ module edge_engine
     .expected_i(written_expected),
     .engine_done_i(engine_done),
     .overflow_i(overflow),
-    .input_over_i(input_over),
-    .input_error_i(input_error),
     .map_error_i(map_error_code),
     .memory_error_i,
+    .in_valid_i(s_axis_tvalid),
+    .in_ready_o(s_axis_tready),
+    .in_i(s_axis_tdata[$bits(base_triangle_t)-1:0]),
+    .in_last_i(s_axis_tlast),
     .regs_o(regs),
-    .expected_o(expected),
-    .limit_o(limit),
     .begin_o(begins),
-    .refuse_o(refuse),
-    .close_o(close),
-    .stop_o(stop),
+    .end_o(ends),
+    .out_valid_o(in_valid),
+    .out_ready_i(in_ready),
+    .out_o(in_word),
     .busy_o(state.busy),
     .done_o(state.done),
+    .swallowing_o(mesh_swallowing),
     .error_code_o(state.error_code)
   );
   assign state.swallowing = mesh_swallowing || map_swallowing;
   assign map_width_o = regs.map.width;
 
-  logic           in_valid, in_ready;
-  base_triangle_t in_word;
-  edge_engine_input i_input (
-    .clk_i(aclk),
-    .rst_ni(rst_nq),
-    .begin_i(begins),
-    .refuse_i(refuse),
-    .close_i(close),
-    .stop_i(stop),
-    .expected_i(expected),
-    .limit_i(limit),
-    .in_valid_i(s_axis_tvalid),
-    .in_ready_o(s_axis_tready),
-    .in_i(s_axis_tdata[$bits(base_triangle_t)-1:0]),
-    .in_last_i(s_axis_tlast),
-    .out_valid_o(in_valid),
-    .out_ready_i(in_ready),
-    .out_o(in_word),
-    .end_o(ends),
-    .over_o(input_over),
-    .swallowing_o(mesh_swallowing),
-    .error_o(input_error)
-  );
   if (InBits > $bits(base_triangle_t)) begin : gen_padding
     logic unused_padding;
     assign unused_padding = ^s_axis_tdata[InBits-1:$bits(base_triangle_t)];
@@ -280,7 +259,7 @@ module edge_engine
     .rst_ni(rst_nq),
     .regs_i(written_regs.map),
     .normal_regs_i(normal_regs),
-    .close_i(close),
+    .close_i(control.clear_error),
     .stop_i(control.stop),
     .in_valid_i(s_axis_map_tvalid),
     .in_ready_o(s_axis_map_tready),

@@ -1,16 +1,18 @@
 // edge_engine_maps: a map of texels from the bus into both builders, the summed-area table's and the normal map's.
 //   in    regs_i, normal_regs_i  as the host wrote them; taken over with the first texel of a map, constant until the last word is out
-//         close_i                ends the swallowing;  stop_i  ends the map, both for one clock
+//         close_i                the host has seen an error: ends the swallowing;  stop_i  ends the map, or the swallowing; both for
+//                                one clock. A mesh that begins is no reason to end it: the rest of a map is no map.
 //         in_*                   texels row by row from v = 0, x fastest; in_last_i on the last one
 //   out   table_*, normal_*      words (x, y) of the table and of the map of normals, in the builders' order
 //         busy_o                 a map is being built;  swallowing_o  what comes is of no map
 //         error_o                what is wrong, for one clock
 //         saturations_o          texels of this map whose slope was beyond the range
 //
-//   latency that of the builders, 32 at most, and 3 clocks more for the first texel; initiation interval 1 where normal_map's is. Outputs
-//   are registers or a few gates from them; no path from out_ready_i to in_ready_o.
+//   latency that of the builders, 7 and 32; the first texel of a map is taken 2 clocks after it is offered, and busy_o falls 2 clocks after
+//   the last word came; initiation interval 1 where normal_map's is. Outputs are registers or a few gates from them; no path from a ready
+//   input to in_ready_o.
 //   A map that ends early is filled up with zeros, so that its words still come out whole. A map of a wrong size, and what follows a map
-//   whose last texel does not say so, is swallowed up to its tlast.
+//   whose last texel does not say so, is swallowed up to its tlast; there its error is told again, as a start may have cleared it.
 module edge_engine_maps
   import formats_pkg::*;
   import surface_pkg::*;
@@ -91,7 +93,7 @@ module edge_engine_maps
     end
   end
 
-  error_code_e error;
+  error_code_e error, why_q;  // why_q: of the map that is swallowed
   always_comb begin
     next_phase = phase_q;
     next_beyond = beyond_q;
@@ -123,13 +125,17 @@ module edge_engine_maps
       end
       Fill: if (last_step) next_phase = Flush;
       Flush: if (!table_busy && !normal_busy) next_phase = beyond_q ? Swallow : Idle;
-      Swallow: if ((take && in_last_i) || close_i || stop_q) next_phase = Idle;
+      Swallow: begin
+        if ((take && in_last_i) || close_i || stop_q) next_phase = Idle;
+        if (take && in_last_i && !close_i) error = why_q;
+      end
       default: next_phase = Idle;
     endcase
     // The host has seen the error before the map was flushed.
     if (close_i) next_beyond = 1'b0;
   end
   always_ff @(posedge clk_i) begin
+    if (phase_q != Swallow && error != None) why_q <= error;
     if (!rst_ni) begin
       phase_q <= Idle;
       beyond_q <= 1'b0;
