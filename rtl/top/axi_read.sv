@@ -11,6 +11,9 @@
 //         error_o           for one clock with an answer's last word: a beat came with rresp other
 //                           than OKAY. The word is what the bus gave.
 //   m_axi                   bursts of one beat of WordBytes, all with the same ID: answered in order
+//                           arprot is 0: data, secure, unprivileged. AXI4 lets a master leave out
+//                           arid, arlock, arcache, arqos and arregion; the bus takes them as 0:
+//                           one ID, no exclusive access, device memory, no priority, one region
 //
 //   latency 10 and the memory's: 9 clocks from the request to arvalid, 1 from the last beat to
 //   rsp_valid_o; initiation interval: a clock for each word with read set, at least one a request.
@@ -49,6 +52,7 @@ module axi_read
   output logic [7:0]             m_axi_arlen,
   output logic [2:0]             m_axi_arsize,
   output logic [1:0]             m_axi_arburst,
+  output logic [2:0]             m_axi_arprot,
   output logic                   m_axi_arvalid,
   input  logic                   m_axi_arready,
   input  logic [8*DataBytes-1:0] m_axi_rdata,
@@ -152,6 +156,7 @@ module axi_read
   assign m_axi_arlen = 8'd0;
   assign m_axi_arsize = 3'(WordShift);
   assign m_axi_arburst = 2'b01;
+  assign m_axi_arprot = 3'b000;
   assign m_axi_arvalid = ar_valid && ar.order.beat && beats_ready;
   assign ar_leaves = beats_ready && (m_axi_arready || !ar.order.beat);
 

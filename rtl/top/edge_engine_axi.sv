@@ -10,10 +10,7 @@
 //   latency and initiation interval: a word a clock and bus, so the four rectangles of an edge take 12 clocks, a sample of a profile, a
 //   displacement, a normal 4. Outputs as axi_read.sv and edge_engine.sv.
 //
-//   edge_engine --+-- table  --[axi_read]-------- m_axi_table
-//                 +-- quad   --[axi_read]-------- m_axi_quad
-//                 +-- place  --[axi_read_quads]-- m_axi_place
-//                 +-- normal --[axi_read_quads]-- m_axi_normal
+//   edge_engine --[axi_read_maps]-- m_axi_*
 module edge_engine_axi
   import formats_pkg::*;
   import surface_pkg::*;
@@ -74,6 +71,7 @@ module edge_engine_axi
   output logic [7:0]              m_axi_table_arlen,
   output logic [2:0]              m_axi_table_arsize,
   output logic [1:0]              m_axi_table_arburst,
+  output logic [2:0]              m_axi_table_arprot,
   output logic                    m_axi_table_arvalid,
   input  logic                    m_axi_table_arready,
   input  logic [8*DATA_BYTES-1:0] m_axi_table_rdata,
@@ -86,6 +84,7 @@ module edge_engine_axi
   output logic [7:0]              m_axi_quad_arlen,
   output logic [2:0]              m_axi_quad_arsize,
   output logic [1:0]              m_axi_quad_arburst,
+  output logic [2:0]              m_axi_quad_arprot,
   output logic                    m_axi_quad_arvalid,
   input  logic                    m_axi_quad_arready,
   input  logic [8*DATA_BYTES-1:0] m_axi_quad_rdata,
@@ -98,6 +97,7 @@ module edge_engine_axi
   output logic [7:0]              m_axi_place_arlen,
   output logic [2:0]              m_axi_place_arsize,
   output logic [1:0]              m_axi_place_arburst,
+  output logic [2:0]              m_axi_place_arprot,
   output logic                    m_axi_place_arvalid,
   input  logic                    m_axi_place_arready,
   input  logic [8*DATA_BYTES-1:0] m_axi_place_rdata,
@@ -110,6 +110,7 @@ module edge_engine_axi
   output logic [7:0]              m_axi_normal_arlen,
   output logic [2:0]              m_axi_normal_arsize,
   output logic [1:0]              m_axi_normal_arburst,
+  output logic [2:0]              m_axi_normal_arprot,
   output logic                    m_axi_normal_arvalid,
   input  logic                    m_axi_normal_arready,
   input  logic [8*DATA_BYTES-1:0] m_axi_normal_rdata,
@@ -135,7 +136,7 @@ module edge_engine_axi
   output normal_t    normal_write_word_o
 );
   map_size_t  map_width;
-  logic [3:0] failed;
+  logic       failed;
 
   logic table_req_valid, table_req_ready, table_rsp_valid;
   logic quad_req_valid, quad_req_ready, quad_rsp_valid;
@@ -193,137 +194,55 @@ module edge_engine_axi
     .normal_rsp_valid_i(normal_rsp_valid),
     .normal_rsp_i(normal_rsp),
     .map_width_o(map_width),
-    .memory_error_i(|failed)
+    .memory_error_i(failed)
   );
 
-  axi_read #(
-    .Words(SAT_READS_PER_CLOCK),
-    .WordBytes(8),
-    .WordBits($bits(table_sum_t)),
+  axi_read_maps #(
+    .Reads(SAT_READS_PER_CLOCK),
+    .Samples(PROFILE_SAMPLES_PER_CLOCK),
     .AddressBits(ADDRESS_BITS),
     .DataBytes(DATA_BYTES),
     .Outstanding(OUTSTANDING)
-  ) i_table (
+  ) i_maps (
     .aclk,
     .aresetn,
-    .base_i(table_base_i),
+    .displacement_base_i,
+    .table_base_i,
+    .normal_base_i,
     .width_i(map_width),
-    .error_o(failed[0]),
-    .req_valid_i(table_req_valid),
-    .req_ready_o(table_req_ready),
-    .req_i(table_req),
-    .rsp_valid_o(table_rsp_valid),
-    .rsp_o(table_rsp),
-    .m_axi_araddr(m_axi_table_araddr),
-    .m_axi_arlen(m_axi_table_arlen),
-    .m_axi_arsize(m_axi_table_arsize),
-    .m_axi_arburst(m_axi_table_arburst),
-    .m_axi_arvalid(m_axi_table_arvalid),
-    .m_axi_arready(m_axi_table_arready),
-    .m_axi_rdata(m_axi_table_rdata),
-    .m_axi_rresp(m_axi_table_rresp),
-    .m_axi_rlast(m_axi_table_rlast),
-    .m_axi_rvalid(m_axi_table_rvalid),
-    .m_axi_rready(m_axi_table_rready)
-  );
-
-  // The samples of a clock that nobody wants are not fetched.
-  table_request_t [4*PROFILE_SAMPLES_PER_CLOCK-1:0] quad_words;
-  for (genvar i = 0; i < PROFILE_SAMPLES_PER_CLOCK; i++) begin : gen_sample
-    for (genvar word = 0; word < 4; word++) begin : gen_word
-      assign quad_words[4*i+word] = '{
-          y: quad_req[i].y[word/2],
-          x: quad_req[i].x[word%2],
-          read: quad_req_mask[i]
-      };
-    end
-  end
-  axi_read #(
-    .Words(4 * PROFILE_SAMPLES_PER_CLOCK),
-    .WordBytes(2),
-    .AddressBits(ADDRESS_BITS),
-    .DataBytes(DATA_BYTES),
-    .Outstanding(OUTSTANDING)
-  ) i_quad (
-    .aclk,
-    .aresetn,
-    .base_i(displacement_base_i),
-    .width_i(map_width),
-    .error_o(failed[1]),
-    .req_valid_i(quad_req_valid),
-    .req_ready_o(quad_req_ready),
-    .req_i(quad_words),
-    .rsp_valid_o(quad_rsp_valid),
-    .rsp_o(quad_rsp),
-    .m_axi_araddr(m_axi_quad_araddr),
-    .m_axi_arlen(m_axi_quad_arlen),
-    .m_axi_arsize(m_axi_quad_arsize),
-    .m_axi_arburst(m_axi_quad_arburst),
-    .m_axi_arvalid(m_axi_quad_arvalid),
-    .m_axi_arready(m_axi_quad_arready),
-    .m_axi_rdata(m_axi_quad_rdata),
-    .m_axi_rresp(m_axi_quad_rresp),
-    .m_axi_rlast(m_axi_quad_rlast),
-    .m_axi_rvalid(m_axi_quad_rvalid),
-    .m_axi_rready(m_axi_quad_rready)
-  );
-
-  axi_read_quads #(
-    .WordBytes(2),
-    .AddressBits(ADDRESS_BITS),
-    .DataBytes(DATA_BYTES),
-    .Outstanding(OUTSTANDING)
-  ) i_place (
-    .aclk,
-    .aresetn,
-    .base_i(displacement_base_i),
-    .width_i(map_width),
-    .error_o(failed[2]),
-    .req_valid_i(place_req_valid),
-    .req_ready_o(place_req_ready),
-    .req_i(place_req),
-    .rsp_valid_o(place_rsp_valid),
-    .rsp_o(place_rsp),
-    .m_axi_araddr(m_axi_place_araddr),
-    .m_axi_arlen(m_axi_place_arlen),
-    .m_axi_arsize(m_axi_place_arsize),
-    .m_axi_arburst(m_axi_place_arburst),
-    .m_axi_arvalid(m_axi_place_arvalid),
-    .m_axi_arready(m_axi_place_arready),
-    .m_axi_rdata(m_axi_place_rdata),
-    .m_axi_rresp(m_axi_place_rresp),
-    .m_axi_rlast(m_axi_place_rlast),
-    .m_axi_rvalid(m_axi_place_rvalid),
-    .m_axi_rready(m_axi_place_rready)
-  );
-
-  axi_read_quads #(
-    .WordBytes(8),
-    .WordBits($bits(normal_t)),
-    .AddressBits(ADDRESS_BITS),
-    .DataBytes(DATA_BYTES),
-    .Outstanding(OUTSTANDING)
-  ) i_normal (
-    .aclk,
-    .aresetn,
-    .base_i(normal_base_i),
-    .width_i(map_width),
-    .error_o(failed[3]),
-    .req_valid_i(normal_req_valid),
-    .req_ready_o(normal_req_ready),
-    .req_i(normal_req),
-    .rsp_valid_o(normal_rsp_valid),
-    .rsp_o(normal_rsp),
-    .m_axi_araddr(m_axi_normal_araddr),
-    .m_axi_arlen(m_axi_normal_arlen),
-    .m_axi_arsize(m_axi_normal_arsize),
-    .m_axi_arburst(m_axi_normal_arburst),
-    .m_axi_arvalid(m_axi_normal_arvalid),
-    .m_axi_arready(m_axi_normal_arready),
-    .m_axi_rdata(m_axi_normal_rdata),
-    .m_axi_rresp(m_axi_normal_rresp),
-    .m_axi_rlast(m_axi_normal_rlast),
-    .m_axi_rvalid(m_axi_normal_rvalid),
-    .m_axi_rready(m_axi_normal_rready)
+    .error_o(failed),
+    .table_req_valid_i(table_req_valid),
+    .table_req_ready_o(table_req_ready),
+    .table_req_i(table_req),
+    .table_rsp_valid_o(table_rsp_valid),
+    .table_rsp_o(table_rsp),
+    .quad_req_valid_i(quad_req_valid),
+    .quad_req_ready_o(quad_req_ready),
+    .quad_req_i(quad_req),
+    .quad_req_mask_i(quad_req_mask),
+    .quad_rsp_valid_o(quad_rsp_valid),
+    .quad_rsp_o(quad_rsp),
+    .place_req_valid_i(place_req_valid),
+    .place_req_ready_o(place_req_ready),
+    .place_req_i(place_req),
+    .place_rsp_valid_o(place_rsp_valid),
+    .place_rsp_o(place_rsp),
+    .normal_req_valid_i(normal_req_valid),
+    .normal_req_ready_o(normal_req_ready),
+    .normal_req_i(normal_req),
+    .normal_rsp_valid_o(normal_rsp_valid),
+    .normal_rsp_o(normal_rsp),
+    .m_axi_table_araddr, .m_axi_table_arlen, .m_axi_table_arsize, .m_axi_table_arburst,
+    .m_axi_table_arprot, .m_axi_table_arvalid, .m_axi_table_arready, .m_axi_table_rdata,
+    .m_axi_table_rresp, .m_axi_table_rlast, .m_axi_table_rvalid, .m_axi_table_rready,
+    .m_axi_quad_araddr, .m_axi_quad_arlen, .m_axi_quad_arsize, .m_axi_quad_arburst,
+    .m_axi_quad_arprot, .m_axi_quad_arvalid, .m_axi_quad_arready, .m_axi_quad_rdata,
+    .m_axi_quad_rresp, .m_axi_quad_rlast, .m_axi_quad_rvalid, .m_axi_quad_rready,
+    .m_axi_place_araddr, .m_axi_place_arlen, .m_axi_place_arsize, .m_axi_place_arburst,
+    .m_axi_place_arprot, .m_axi_place_arvalid, .m_axi_place_arready, .m_axi_place_rdata,
+    .m_axi_place_rresp, .m_axi_place_rlast, .m_axi_place_rvalid, .m_axi_place_rready,
+    .m_axi_normal_araddr, .m_axi_normal_arlen, .m_axi_normal_arsize, .m_axi_normal_arburst,
+    .m_axi_normal_arprot, .m_axi_normal_arvalid, .m_axi_normal_arready, .m_axi_normal_rdata,
+    .m_axi_normal_rresp, .m_axi_normal_rlast, .m_axi_normal_rvalid, .m_axi_normal_rready
   );
 endmodule

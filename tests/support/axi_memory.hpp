@@ -163,8 +163,8 @@ std::uint64_t axi_run(axi_settings const& s, std::vector<Request> const& request
     if (ar_held && (!model.m_axi_arvalid || model.m_axi_araddr != held_address)) return fail("ar changed while it was not taken");
     if (model.m_axi_arvalid) {
       if (addresses.empty() || addresses.front() != model.m_axi_araddr) return fail("a wrong address");
-      if (model.m_axi_arlen != 0 || (1 << model.m_axi_arsize) != s.word_bytes || model.m_axi_arburst != 1)
-        return fail("not a burst of one word");
+      if (model.m_axi_arlen != 0 || (1 << model.m_axi_arsize) != s.word_bytes || model.m_axi_arburst != 1 || model.m_axi_arprot != 0)
+        return fail("not a burst of one word of data");
     }
     ar_held = model.m_axi_arvalid && !ar_moves;
     held_address = model.m_axi_araddr;

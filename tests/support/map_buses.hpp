@@ -1,6 +1,6 @@
 // map_buses: the map memories of a Verilated edge_engine_axi: three memories of bytes behind its four AXI4 read buses, each answering in
 // order, after the traffic's clocks, with stalls.
-//   quiet, load, forget, offer, take   as map_ports.hpp
+//   quiet, load, forget, offer, take   as tb/cosim/map_ports.hpp
 //   bad_beats          so many beats to come are answered with SLVERR, and with the right word
 //   Checked: every address is one of a word of the map it is for, aligned; ar holds until it is taken; bursts are of one word.
 #pragma once
@@ -8,11 +8,14 @@
 
 #include <cstdint>
 #include <deque>
+#include <string>
 #include <type_traits>
+#include <utility>
 
-#include "tests/support/engine_scene.hpp"
-#include "tests/support/held_word.hpp"
-#include "tests/support/stream_unit.hpp"
+#include "tb/cosim/bus_traffic.hpp"
+#include "tb/cosim/held_word.hpp"
+#include "tb/cosim/map_ports.hpp"
+#include "tests/support/random.hpp"
 
 namespace relievo::test {
 
@@ -31,7 +34,11 @@ class map_buses {
       *r.valid = 0;
     });
   }
-  void load(engine_scene const& s) { scene_ = &s; }
+  map_buses(tb::bus_traffic const& t, tb::failure_hook fail)
+      : fail_(std::move(fail)), source_(t.idle, t.seed), sink_(t.stall, t.seed + 1), times_(t, 2) {}
+
+  void load(tb::map_contents const& c) { map_ = c; }
+  std::uint64_t answered() const { return answered_; }
   // After a reset.
   void forget() {
     for (bus* b : {&table_, &quad_, &place_, &normal_}) {
@@ -40,35 +47,35 @@ class map_buses {
       b->hold.forget();
     }
   }
-  void expect_nothing_asked(Model const& m) const {
-    EXPECT_FALSE(m.m_axi_table_arvalid || m.m_axi_quad_arvalid || m.m_axi_place_arvalid || m.m_axi_normal_arvalid) << "in reset";
+  bool asks(Model const& m) const {
+    return m.m_axi_table_arvalid || m.m_axi_quad_arvalid || m.m_axi_place_arvalid || m.m_axi_normal_arvalid;
   }
-  void offer(Model& m, traffic const& t, generator& g, std::uint64_t clock) {
+  void offer(Model& m, std::uint64_t clock) {
     each(m, [&](bus& b, auto ar, auto r) {
-      *ar.ready = g.below(16) >= t.stall;
-      if (!b.offered && !b.beats.empty() && b.beats.front().due <= clock && g.below(16) >= t.idle) b.offered = true;
+      *ar.ready = sink_.go();
+      if (!b.offered && !b.beats.empty() && b.beats.front().due <= clock && source_.go()) b.offered = true;
       *r.valid = b.offered;
-      *r.resp = static_cast<CData>(b.offered ? (b.beats.front().bad ? 2 : 0) : g.below(4));
-      *r.data = b.offered ? b.beats.front().data : g();
+      *r.resp = static_cast<CData>(b.offered ? (b.beats.front().bad ? 2 : 0) : g_.below(4));
+      *r.data = b.offered ? b.beats.front().data : g_();
       *r.last = b.offered;
     });
   }
-  void take(Model& m, traffic const& t, generator& g, std::uint64_t clock) {
+  void take(Model& m, std::uint64_t clock) {
     each(m, [&](bus& b, auto ar, auto r) {
       if (b.offered && *r.ready) {
         b.beats.pop_front();
         b.offered = false;
+        ++answered_;
       }
-      b.hold.look(*ar.valid, *ar.ready, *ar.address, clock);
+      if (const std::string broken = b.hold.look(*ar.valid, *ar.ready, *ar.address); !broken.empty()) fail_(broken);
       if (!*ar.valid || !*ar.ready) return;
       EXPECT_EQ(*ar.length, 0);
       EXPECT_EQ(1u << *ar.size, b.bytes);
-      std::uint64_t due = clock + static_cast<std::uint64_t>(
-                                      g.between(static_cast<std::int64_t>(t.latency_low), static_cast<std::int64_t>(t.latency_high)));
-      if (!b.beats.empty() && b.beats.back().due >= due) due = b.beats.back().due + 1;
+      EXPECT_EQ(*ar.protection, 0);
+      const std::uint64_t due = times_.due(clock, b.beats.empty() ? 0 : b.beats.back().due);
       const bool bad = bad_beats > 0;
       bad_beats -= bad ? 1 : 0;
-      b.beats.push_back({due, beat(b, *ar.address, g), bad});
+      b.beats.push_back({due, beat(b, *ar.address), bad});
     });
   }
 
@@ -81,14 +88,14 @@ class map_buses {
     char const* name;
     std::uint64_t base;
     unsigned bytes;
-    held_word hold;
+    tb::held_word hold;
     std::deque<beat_word> beats;
     bool offered = false;
   };
   template <class Address>
   struct ar_ports {
     Address const* address;
-    CData const *length, *size, *valid;
+    CData const *length, *size, *protection, *valid;
     CData* ready;
   };
   template <class Data>
@@ -99,26 +106,27 @@ class map_buses {
   };
 
   // The word at an address on its lanes of eight bytes; anything on the others.
-  std::uint64_t beat(bus const& b, std::uint64_t address, generator& g) {
+  std::uint64_t beat(bus const& b, std::uint64_t address) {
     const std::uint64_t at = (address - b.base) / b.bytes;
-    if (address < b.base || (address - b.base) % b.bytes != 0 || at >= scene_->map.words().size()) {
-      ADD_FAILURE() << b.name << ": address " << address << " is no word's of the map";
+    if (address < b.base || (address - b.base) % b.bytes != 0 ||
+        at >= static_cast<std::size_t>(map_.width) * static_cast<std::size_t>(map_.height)) {
+      fail_(std::string(b.name) + ": address " + std::to_string(address) + " is no word's of the map");
       return 0;
     }
     if (b.bytes == 2) {
       const unsigned shift = 8 * (address % 8);
-      return (g() & ~(std::uint64_t(0xffff) << shift)) | std::uint64_t(scene_->map.words()[at]) << shift;
+      return (g_() & ~(std::uint64_t(0xffff) << shift)) | std::uint64_t(map_.texels[at]) << shift;
     }
-    const std::uint64_t above = g() << (b.base == table_base ? 40 : 48);
-    return above | (b.base == table_base ? scene_->map.table().words[at] : scene_->normals[at]);
+    const std::uint64_t above = g_() << (b.base == table_base ? 40 : 48);
+    return above | (b.base == table_base ? map_.table[at] : map_.normals[at]);
   }
 
-#define RELIEVO_BUS(name)                                                                                                        \
-  call(name##_,                                                                                                                  \
-       ar_ports<std::remove_reference_t<decltype(m.m_axi_##name##_araddr)>>{&m.m_axi_##name##_araddr, &m.m_axi_##name##_arlen,   \
-                                                                            &m.m_axi_##name##_arsize, &m.m_axi_##name##_arvalid, \
-                                                                            &m.m_axi_##name##_arready},                          \
-       r_ports<std::remove_reference_t<decltype(m.m_axi_##name##_rdata)>>{                                                       \
+#define RELIEVO_BUS(name)                                                                                                          \
+  call(name##_,                                                                                                                    \
+       ar_ports<std::remove_reference_t<decltype(m.m_axi_##name##_araddr)>>{&m.m_axi_##name##_araddr, &m.m_axi_##name##_arlen,     \
+                                                                            &m.m_axi_##name##_arsize, &m.m_axi_##name##_arprot,    \
+                                                                            &m.m_axi_##name##_arvalid, &m.m_axi_##name##_arready}, \
+       r_ports<std::remove_reference_t<decltype(m.m_axi_##name##_rdata)>>{                                                         \
            &m.m_axi_##name##_rdata, &m.m_axi_##name##_rresp, &m.m_axi_##name##_rlast, &m.m_axi_##name##_rvalid, &m.m_axi_##name##_rready})
   template <class Call>
   void each(Model& m, Call const& call) {
@@ -129,11 +137,16 @@ class map_buses {
   }
 #undef RELIEVO_BUS
 
-  engine_scene const* scene_ = nullptr;
-  bus table_{"m_axi_table", table_base, 8, held_word("m_axi_table_ar"), {}};
-  bus quad_{"m_axi_quad", displacement_base, 2, held_word("m_axi_quad_ar"), {}};
-  bus place_{"m_axi_place", displacement_base, 2, held_word("m_axi_place_ar"), {}};
-  bus normal_{"m_axi_normal", normal_base, 8, held_word("m_axi_normal_ar"), {}};
+  tb::failure_hook fail_;
+  tb::map_contents map_;
+  tb::pacer source_, sink_;
+  tb::answer_times times_;
+  generator g_{"map_buses"};
+  std::uint64_t answered_ = 0;
+  bus table_{"m_axi_table", table_base, 8, tb::held_word("m_axi_table_ar"), {}};
+  bus quad_{"m_axi_quad", displacement_base, 2, tb::held_word("m_axi_quad_ar"), {}};
+  bus place_{"m_axi_place", displacement_base, 2, tb::held_word("m_axi_place_ar"), {}};
+  bus normal_{"m_axi_normal", normal_base, 8, tb::held_word("m_axi_normal_ar"), {}};
 };
 
 }  // namespace relievo::test
