@@ -16,6 +16,7 @@
 
 #include "tb/commands/commands.hpp"
 #include "tb/cosim/rtl_model.hpp"
+#include "tb/cosim/top_model.hpp"
 #include "tb/host/input_error.hpp"
 
 namespace {
@@ -38,6 +39,7 @@ int sc_main(int, char**) { return 0; }
 int main(int argc, char** argv) {
   using namespace relievo::tb;
   add_rtl_model();
+  add_top_model();
   CLI::App app("Relievo: displacement mapping in hardware, its models and its checks");
   app.require_subcommand(1);
   app.footer(
@@ -68,7 +70,7 @@ int main(int argc, char** argv) {
   } catch (input_error const& e) {
     return refuse(2, e.what());
   } catch (cosim_error const& e) {
-    std::printf("rtl: %s\n", e.what());
+    std::printf("%s: %s\n", e.model, e.what());
     return 1;
   } catch (std::bad_alloc const&) {
     return refuse(2, "out of memory; a smaller map or fewer generations are needed");

@@ -14,8 +14,8 @@
 //         stop_o              for one clock, once the mesh runs: its packet is to end
 //         busy_o, done_o, error_code_o
 //
-//   latency 2 from start to begin_o; initiation interval: a mesh. All outputs but close_o are registered, or a gate from
-//   registers.
+//   latency 2 from start to begin_o and limit_o, 1 to the other outputs, 1 from stop to stop_o once the mesh runs, which it does 4 clocks
+//   after its start; initiation interval: a mesh. All outputs but close_o are registered, or a gate from registers.
 //   A mesh that is refused begins too, without triangles, so that every start but one while busy puts one packet out.
 module edge_engine_control
   import formats_pkg::*;

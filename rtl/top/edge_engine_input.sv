@@ -9,7 +9,8 @@
 //         over_o             nothing more of the packet is to come;  swallowing_o  and yet it is waited for, for the bin
 //         error_o            what is wrong, for one clock
 //
-//   latency 1; initiation interval 2: a mesh has many more triangles than base triangles. All outputs registered, or a gate from registers.
+//   latency 1 to out_o, 2 to end_o and error_o; initiation interval 2: a mesh has many more triangles than base triangles. All outputs
+//   registered, or a gate from registers.
 //
 //   A packet is over with its tlast or with the expected count, whichever comes first. A record with a wrong coordinate, tlast before the
 //   count, or a stop leaves the rest to be swallowed; the engine's input is over then. When the count is there and tlast is not, or the

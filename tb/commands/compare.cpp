@@ -1,7 +1,6 @@
 // relievo compare: one scene through several models, their outputs equal word for word or the first difference.
 #include "tb/model/compare.hpp"
 
-#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <sstream>
@@ -91,7 +90,7 @@ command add_compare(CLI::App& app) {
     bool rate = false, decisions = false;
   };
   const auto a = std::make_shared<arguments>();
-  app.add_option("--models", a->models, "two or more of golden,hls,rtl")->capture_default_str();
+  app.add_option("--models", a->models, "two or more of golden,hls,rtl,top")->capture_default_str();
   a->scene.add_to(app);
   a->scene.add_base_triangle(app);
   a->rtl.add_to(app);
@@ -104,7 +103,7 @@ command add_compare(CLI::App& app) {
   return [a, self] {
     const std::vector<std::string> names = split_names(a->models);
     a->out.check(names.back());
-    a->rtl.apply(std::find(names.begin(), names.end(), "rtl") != names.end());
+    a->rtl.apply(names);
     a->scene.check_measure(a->out.measure);
     const scene sc = a->scene.make();
     std::vector<run_result> runs;
@@ -121,15 +120,14 @@ command add_compare(CLI::App& app) {
     report["scene"] = to_json(sc);
     if (error) report["error"] = to_json(*error);
     print_run(runs.back(), sc, error);
-    const bool circuit = std::find(names.begin(), names.end(), "rtl") != names.end();
-    if (circuit) {
+    for (std::string const& name : names) {
       const golden::counters& c = runs.back().counts;
-      print_cosim(c.edge_tests, c.triangles_out);
-      report["rtl"] = cosim_to_json(c.edge_tests);
+      print_circuit(name, c.edge_tests, c.triangles_out);
+      report_circuit(report, name, c.edge_tests);
     }
     if (a->rate) {
       for (std::string const& name : names) {
-        if (name == "rtl") continue;  // told in clocks above
+        if (name == "rtl" || name == "top") continue;  // told in clocks above
         const double rate = edge_tests_per_second(*make_model(name, sc));
         report["edge_tests_per_second"][name] = rate;
         print_row("rate, " + name, rate_text(rate));

@@ -107,9 +107,9 @@ int replay_unit(arguments const& a, unit_vectors v, CLI::App const& app) {
 
 int replay(arguments const& a, CLI::App const& app) {
   const unit_vectors v = parse_vectors(read_bytes(a.file), a.file);
-  if (a.model != "hls" && a.model != "golden" && a.model != "rtl")
-    throw input_error("--model: '" + a.model + "' cannot replay; known are golden, hls, rtl");
-  a.rtl.apply(a.model == "rtl");
+  if (a.model != "hls" && a.model != "golden" && a.model != "rtl" && !(a.model == "top" && v.unit == "engine"))
+    throw input_error("--model: '" + a.model + "' cannot replay; known are golden, hls, rtl, and top for the engine");
+  a.rtl.apply({a.model});
   return v.unit == "engine" ? replay_engine(a, v, app) : replay_unit(a, v, app);
 }
 
@@ -131,11 +131,11 @@ int record(arguments const& a) {
 command add_replay(CLI::App& app) {
   const auto a = std::make_shared<arguments>();
   app.add_option("FILE", a->file, "FILE.vec, from tessellate --vectors or --record")->required();
-  app.add_option("--model", a->model, "golden|hls|rtl")->capture_default_str();
+  app.add_option("--model", a->model, "golden|hls|rtl|top")->capture_default_str();
   app.add_option("--only", a->only, "N: this record of a unit, or this base triangle of the engine, alone; both count from 0");
   app.add_option("--record", a->record, "write FILE instead: random records of this unit, with golden's outputs");
   app.add_option("--count", a->count, "records to write")->capture_default_str();
-  app.add_option("--seed", a->seed, "seed of the records to write; rtl: of stalls, latencies and what registers hold before reset")
+  app.add_option("--seed", a->seed, "seed of the records to write; rtl, top: of stalls, latencies and what registers hold before reset")
       ->capture_default_str();
   a->rtl.add_to(app, false);
   app.footer(

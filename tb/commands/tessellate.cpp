@@ -18,7 +18,7 @@ command add_tessellate(CLI::App& app) {
     std::string model = "hls", vectors;
   };
   const auto a = std::make_shared<arguments>();
-  app.add_option("--model", a->model, "ideal|golden|hls|rtl")->capture_default_str();
+  app.add_option("--model", a->model, "ideal|golden|hls|rtl|top")->capture_default_str();
   a->scene.add_to(app);
   a->scene.add_base_triangle(app);
   a->rtl.add_to(app);
@@ -30,7 +30,7 @@ command add_tessellate(CLI::App& app) {
     if (!a->vectors.empty() && a->model == "ideal")
       throw input_error("--vectors: the ideal model's output has no raw words; take golden or hls");
     a->out.check(a->model, {a->vectors});
-    a->rtl.apply(a->model == "rtl");
+    a->rtl.apply({a->model});
     a->scene.check_measure(a->out.measure);
     const scene sc = a->scene.make();
     run_hooks hooks;
@@ -45,12 +45,12 @@ command add_tessellate(CLI::App& app) {
     report["scene"] = to_json(sc);
     report["seconds"] = run.seconds;
     if (error) report["error"] = to_json(*error);
-    if (a->model == "rtl") report["rtl"] = cosim_to_json(run.counts.edge_tests);
+    report_circuit(report, a->model, run.counts.edge_tests);
     if (!a->vectors.empty()) write_engine_vectors(a->vectors, sc, run);
     write_outputs(a->out, run, sc);
     write_report(a->out, report);
     print_run(run, sc, error);
-    if (a->model == "rtl") print_cosim(run.counts.edge_tests, run.counts.triangles_out);
+    print_circuit(a->model, run.counts.edge_tests, run.counts.triangles_out);
     return 0;
   };
 }

@@ -9,12 +9,12 @@
 //   A mesh refused for its registers waits for its packet, to swallow it: let it come, or call stop().
 #pragma once
 #include <cstdint>
-#include <stdexcept>
 #include <string>
 
 #include "hls/edge/counters.hpp"
 #include "hls/edge/engine_regs.hpp"
 #include "hls/surface/normal_map.hpp"
+#include "tb/host/input_error.hpp"
 
 namespace relievo::tb {
 
@@ -43,8 +43,9 @@ enum class edge_engine_code {
   memory_error
 };
 
-struct edge_engine_error : std::runtime_error {
-  using std::runtime_error::runtime_error;
+// What the host asked for cannot be done: for the command line it is unusable input.
+struct edge_engine_error : input_error {
+  using input_error::input_error;
 };
 
 struct edge_engine_state {

@@ -19,9 +19,10 @@
 
 namespace relievo::tb {
 
-// A rule of the bench was broken by the circuit: what, where, and at which clock.
+// A rule of the bench was broken by the circuit: what, where, and at which clock; model: whose circuit it was.
 struct cosim_error : std::runtime_error {
-  using std::runtime_error::runtime_error;
+  explicit cosim_error(std::string const& what, char const* model_name = "rtl") : std::runtime_error(what), model(model_name) {}
+  char const* model;
 };
 
 struct cosim_settings {

@@ -1,5 +1,6 @@
 #include "tb/cosim/rtl_model.hpp"
 
+#include "tb/cosim/base_words.hpp"
 #include "tb/model/hls_words.hpp"
 #include "tb/model/words.hpp"
 
@@ -26,20 +27,7 @@ cosim_result& last_result() {
 
 class rtl_model : public model {
  public:
-  explicit rtl_model(scene const& sc) : words_(sc) {
-    for (hls::triangle const& t : words_.triangles()) {
-      hls::top::base_triangle base;
-      for (int i = 0; i < 3; ++i) {
-        hls::detail::copy(base.v[i].p, t.v[i].p);
-        hls::detail::copy(base.v[i].n, t.v[i].n);
-        hls::detail::copy(base.v[i].t, t.v[i].t);
-        hls::detail::copy(base.v[i].u, t.v[i].u);
-      }
-      base.index = t.index;
-      base.last = t.last;
-      base_.push_back(hls::pack(base));
-    }
-  }
+  explicit rtl_model(scene const& sc) : words_(sc), base_(base_words(words_.triangles())) {}
 
   golden::counters run(run_hooks const& hooks) override {
     const cosim_scene circuit = {words_.regs(), &base_, words_.memories()};

@@ -22,17 +22,28 @@ hls_words::hls_words(scene const& sc) : texels_(sc.map.texels.data()) {
   if (!exact) throw std::logic_error("a register or a base triangle of the scene is not quantised to its format");
 }
 
-golden::counters hls_words::counters(std::vector<std::uint64_t> const& values) const {
+std::vector<std::uint64_t> words_of_counters(hls::counters const& counts) {
+  std::vector<std::uint64_t> words;
+  counts.each_field([&](char const*, auto const& x) {
+    if constexpr (std::is_array_v<std::remove_reference_t<decltype(x)>>)
+      words.insert(words.end(), std::begin(x), std::end(x));
+    else
+      words.push_back(x);
+  });
+  return words;
+}
+
+golden::counters named_counters(std::vector<std::uint64_t> const& words, std::uint64_t map_saturations) {
   golden::counters counts;
   std::size_t i = 0;
   counts.each_field([&](char const*, auto& x) {
     if constexpr (std::is_array_v<std::remove_reference_t<decltype(x)>>) {
-      for (auto& e : x) e = values.at(i++);
+      for (auto& e : x) e = words.at(i++);
     } else {
-      x = values.at(i++);
+      x = words.at(i++);
     }
   });
-  counts.saturations += map_saturations_;
+  counts.saturations += map_saturations;
   return counts;
 }
 

@@ -10,6 +10,11 @@
 
 namespace relievo::tb {
 
+// A run's counters as a list in the order of hls/edge/counters.hpp, and such a list by its names; map_saturations: what the builder of the
+// normal map clipped, which counts among the saturations.
+std::vector<std::uint64_t> words_of_counters(hls::counters const& counts);
+golden::counters named_counters(std::vector<std::uint64_t> const& words, std::uint64_t map_saturations);
+
 // The scene must outlive it. std::logic_error when the scene holds something that is no word of its format.
 class hls_words {
  public:
@@ -17,8 +22,7 @@ class hls_words {
   hls::engine_regs const& regs() const { return regs_; }
   std::vector<hls::triangle> const& triangles() const { return triangles_; }
   hls::engine_memories memories() const { return {{texels_}, {table_.empty() ? nullptr : table_.data()}, {normals_.data()}}; }
-  // The counters of a run in the order of hls/edge/counters.hpp, with what the builders clipped among the saturations.
-  golden::counters counters(std::vector<std::uint64_t> const& values) const;
+  golden::counters counters(std::vector<std::uint64_t> const& words) const { return named_counters(words, map_saturations_); }
 
  private:
   std::uint16_t const* texels_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <map>
 
 #include "golden/core/rounding.hpp"
 #include "golden/edge/engine.hpp"
@@ -73,14 +74,7 @@ class hls_model : public model {
         hooks.out(converted);
       }
     }
-    std::vector<std::uint64_t> values;
-    engine_->counts().each_field([&](char const*, auto const& x) {
-      if constexpr (std::is_array_v<std::remove_reference_t<decltype(x)>>)
-        values.insert(values.end(), std::begin(x), std::end(x));
-      else
-        values.push_back(x);
-    });
-    return words_.counters(values);
+    return words_.counters(words_of_counters(engine_->counts()));
   }
 
  private:
@@ -98,7 +92,14 @@ named_factories& factories() {
   return all;
 }
 
+std::map<std::string, std::string>& left_out() {
+  static std::map<std::string, std::string> why;
+  return why;
+}
+
 }  // namespace
+
+void leave_out_model(std::string const& name, std::string const& why) { left_out()[name] = why; }
 
 void add_model(std::string const& name, model_factory const& make) { factories().emplace_back(name, make); }
 
@@ -114,6 +115,7 @@ void check_model_name(std::string const& name) {
     if (n == name) return;
     known += (known.empty() ? "" : ", ") + n;
   }
+  if (const auto it = left_out().find(name); it != left_out().end()) throw input_error("--model: " + name + " " + it->second);
   throw input_error("--model: '" + name + "' is no model; known are " + known);
 }
 

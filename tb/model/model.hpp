@@ -4,6 +4,7 @@
 //   golden  golden formulas, rounded at the named registers
 //   hls     the synthesizable C++, its maps built by its own streaming builders
 //   rtl     the circuit, Verilated, in its SystemC bench (tb/cosim), in programs that bring it; its triangles come in an order of their own
+//   top     the circuit among its buses, as a host sees it, likewise: registers, map builders, streams (tb/cosim/top_model.hpp)
 //
 // Every model puts out golden::triangle_out, in engine units; golden and hls hold words exactly, so that equal words are equal doubles.
 // barycentric weights and path are filled in by ideal and golden alone.
@@ -40,9 +41,11 @@ std::unique_ptr<model> make_model(std::string const& name, scene const& sc);
 std::vector<std::string> model_names();
 void check_model_name(std::string const& name);  // the same input_error, without a scene
 
-// Adds a model: a program that brings the circuit says add_rtl_model() (tb/cosim/rtl_model.hpp).
+// Adds a model: a program that brings a circuit says add_rtl_model() or add_top_model() (tb/cosim).
 using model_factory = std::function<std::unique_ptr<model>(scene const&)>;
 void add_model(std::string const& name, model_factory const& make);
+// A model that this build does not have; why is the end of the line that refuses it.
+void leave_out_model(std::string const& name, std::string const& why);
 
 // Room in every model's triangle queue: enough for the paper's FIFO mode on a few thousand base triangles without a fallback.
 constexpr int queue_depth = 8192;

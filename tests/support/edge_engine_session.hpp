@@ -1,5 +1,5 @@
 // edge_engine_session: what a host does with the edge engine on its bench: builds maps, runs meshes, and looks at what came.
-//   edge_engine_session<Model> it(traffic)
+//   edge_engine_session<Model, Memories> it(traffic)
 //   it.build_maps(scene)            both maps through the builders, and their words;  it.run(scene, counted) that and its mesh
 //   it.begin(scene, n), .send(scene), .expect_mesh(scene, code)     a mesh in its steps; code: the error that was to be found
 //   it.expect_line(code, text)      the driver's line for it
@@ -34,7 +34,7 @@ inline hls_run reference(engine_scene const& s) {
   return nothing;
 }
 
-template <class Model, class Memories = map_ports<Model>>
+template <class Model, class Memories>
 class edge_engine_session {
  public:
   explicit edge_engine_session(traffic const& t = {0, 0, 1, 1}) : bench(t) {}
@@ -74,7 +74,7 @@ class edge_engine_session {
     bench.driver.start(expected);
   }
   void send(engine_scene const& s) {
-    for (hls::triangle const& t : s.base) bench.base.push_back({base_of(t), t.last});
+    for (hls::triangle const& t : s.base) bench.base.push_back({tb::base_of(t), t.last});
   }
   // The mesh is over: one packet, the triangles and counters of s.
   void expect_mesh(engine_scene const& s, tb::edge_engine_code wrong) {
@@ -91,7 +91,7 @@ class edge_engine_session {
     for (std::size_t i = 0; i < ours.size(); ++i) {
       // What depends on time.
       if (ours[i].first == "queue_high_water") {
-        ASSERT_LE(ours[i].second, 128u);
+        ASSERT_LE(ours[i].second, bench.driver.build().queue_depth);
       } else if (ours[i].first != "fifo_fallbacks") {
         ASSERT_EQ(ours[i], theirs[i]);
       }

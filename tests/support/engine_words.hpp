@@ -1,5 +1,5 @@
 // engine_words: what goes into a circuit of the edge engine and comes out, as words.
-//   base_of(triangle), base_words(triangles)   the kernel's base triangles as the circuit takes them
+//   base_of(triangle), base_words(triangles)   as tb/cosim/base_words.hpp
 //   sorted_words(records)                      output records, in an order of their own
 //   expect_same_set(rtl, kernel)               the same records in any order; else the first that only one of them has
 #pragma once
@@ -9,29 +9,13 @@
 #include <vector>
 
 #include "hls/edge/engine.hpp"
-#include "hls/top/top.hpp"
+#include "tb/cosim/base_words.hpp"
 #include "tb/model/words.hpp"
 
 namespace relievo::test {
 
-inline hls::top::base_triangle base_of(hls::triangle const& t) {
-  hls::top::base_triangle b{};
-  for (int i = 0; i < 3; ++i) {
-    hls::detail::copy(b.v[i].p, t.v[i].p);
-    hls::detail::copy(b.v[i].n, t.v[i].n);
-    hls::detail::copy(b.v[i].t, t.v[i].t);
-    hls::detail::copy(b.v[i].u, t.v[i].u);
-  }
-  b.index = t.index;
-  b.last = t.last;
-  return b;
-}
-
-inline std::vector<hls::port_word<hls::top::base_triangle>> base_words(std::vector<hls::triangle> const& triangles) {
-  std::vector<hls::port_word<hls::top::base_triangle>> words;
-  for (hls::triangle const& t : triangles) words.push_back(hls::pack(base_of(t)));
-  return words;
-}
+using tb::base_of;
+using tb::base_words;
 
 // Records as words, in an order of their own; which of them is the last depends on time.
 inline std::vector<std::vector<std::int64_t>> sorted_words(std::vector<hls::triangle_out> const& triangles) {

@@ -1,14 +1,12 @@
-// edge_engine_control: what the whole engine cannot be brought to do: an overflow of its queue, and errors that come together. All else is
-// tested through the buses (tests/top/edge_engine_rtl.cpp).
+// edge_engine_control: its clocks, and what the whole engine cannot be brought to do: an overflow of its queue, and errors that come
+// together. All else is tested through the buses (tests/top/edge_engine_rtl.cpp).
 #include <gtest/gtest.h>
-
-#include <memory>
 
 #include "Vedge_engine_control.h"
 #include "hls/edge/engine_regs.hpp"
-#include "tb/cosim/coverage.hpp"
 #include "tb/cosim/ports.hpp"
-#include "tests/support/settings.hpp"
+#include "tb/cosim/ports_of_lanes.hpp"
+#include "tests/support/clocked_model.hpp"
 
 namespace relievo::test {
 namespace {
@@ -20,62 +18,92 @@ enum control { start = 1, stop = 2, clear_error = 4 };
 class control_bench {
  public:
   control_bench() {
-    context_.randReset(2);
-    context_.randSeed(static_cast<int>(seed() & 0x7fffffff) + 1);
-    model_ = std::make_unique<Vedge_engine_control>(&context_);
     hls::engine_regs regs{};
     regs.map.width = regs.map.height = hls::from_raw<formats::map_size>(4);
     set(regs);
-    model_->clk_i = 0;
-    model_->max_generation_i = 6;
-    model_->control_i = 0;
-    model_->expected_i = 0;
-    model_->engine_done_i = 1;
-    model_->input_over_i = 1;
-    model_->overflow_i = model_->memory_error_i = model_->generation_beyond_i = 0;
-    model_->input_error_i = model_->map_error_i = none;
-    model_->rst_ni = 0;
-    for (int i = 0; i < 4; ++i) clock();
-    model_->rst_ni = 1;
-    clock();
+    model().max_generation_i = 6;
+    model().control_i = 0;
+    model().expected_i = 0;
+    model().engine_done_i = 1;
+    model().input_over_i = 1;
+    model().overflow_i = model().memory_error_i = model().generation_beyond_i = 0;
+    model().input_error_i = model().map_error_i = none;
+    model_.reset();
   }
-  void set(hls::engine_regs const& regs) { tb::put(model_->regs_i, regs); }
-  void clock() {
-    model_->eval();
-    model_->clk_i = 1;
-    model_->eval();
-    model_->clk_i = 0;
-    model_->eval();
-  }
+  void set(hls::engine_regs const& regs) { tb::put(model().regs_i, regs); }
+  void clock() { model_.clock(); }
   void write(int word) {
-    model_->control_i = static_cast<CData>(word);
+    model().control_i = static_cast<CData>(word);
     clock();
-    model_->control_i = 0;
+    model().control_i = 0;
+    model_.settle();
   }
   // A mesh begins; the engine and its input are at work until finish().
   void begin() {
     write(start);
     for (int i = 0; i < 8; ++i) {
-      if (model_->begin_o) model_->engine_done_i = model_->input_over_i = 0;
+      if (model().begin_o) model().engine_done_i = model().input_over_i = 0;
       clock();
     }
-    ASSERT_TRUE(model_->busy_o);
-    ASSERT_FALSE(model_->done_o);
+    ASSERT_TRUE(model().busy_o);
+    ASSERT_FALSE(model().done_o);
   }
   void finish() {
-    model_->engine_done_i = model_->input_over_i = 1;
+    model().engine_done_i = model().input_over_i = 1;
     clock();
     clock();
-    ASSERT_FALSE(model_->busy_o);
-    ASSERT_TRUE(model_->done_o);
+    ASSERT_FALSE(model().busy_o);
+    ASSERT_TRUE(model().done_o);
   }
   Vedge_engine_control& model() { return *model_; }
+  clocked_model<Vedge_engine_control>& clocks() { return model_; }
 
  private:
-  VerilatedContext context_;
-  std::unique_ptr<Vedge_engine_control> model_;
-  const tb::keep_coverage kept_{context_};
+  clocked_model<Vedge_engine_control> model_;
 };
+
+// Every clock from the host's write of start to begin, and from the engine's end to done.
+TEST(edge_engine_control, begins_two_clocks_after_the_start_and_is_done_one_after_the_end) {
+  control_bench bench;
+  Vedge_engine_control& m = bench.model();
+  for (int i = 0; i < 3; ++i) {
+    hls::engine_regs regs{};
+    regs.map.width = regs.map.height = hls::from_raw<formats::map_size>(5 + i);
+    bench.set(regs);
+    m.control_i = start;
+    bench.clocks().settle();
+    EXPECT_TRUE(m.close_o) << "at once";
+    bench.write(start);
+    EXPECT_FALSE(m.close_o);
+    EXPECT_TRUE(m.busy_o);
+    EXPECT_FALSE(m.done_o);
+    EXPECT_FALSE(m.begin_o);
+    EXPECT_EQ(hls::pack(tb::get<hls::engine_regs>(m.regs_o)), hls::pack(regs));
+    bench.clock();
+    EXPECT_TRUE(m.begin_o);
+    const auto limit = static_cast<std::uint64_t>(4 + i) << formats::coordinate::fraction;
+    EXPECT_EQ(tb::get_bits<64>(m.limit_o, 0, formats::coordinate::width).limb[0], limit);
+    m.engine_done_i = m.input_over_i = 0;
+    bench.clock();
+    EXPECT_FALSE(m.begin_o) << "for one clock";
+    bench.clock();
+    // It runs now: a stop goes on in the next clock.
+    bench.write(stop);
+    EXPECT_TRUE(m.stop_o);
+    bench.clock();
+    EXPECT_FALSE(m.stop_o) << "for one clock";
+    m.map_error_i = map_early_last;
+    bench.clock();
+    m.map_error_i = none;
+    EXPECT_EQ(m.error_code_o, map_early_last);
+    m.engine_done_i = m.input_over_i = 1;
+    bench.clocks().settle();
+    EXPECT_FALSE(m.done_o);
+    bench.clock();
+    EXPECT_TRUE(m.done_o);
+    EXPECT_FALSE(m.busy_o);
+  }
+}
 
 TEST(edge_engine_control, reports_an_overflow_of_the_queue) {
   control_bench bench;

@@ -1,14 +1,13 @@
 // held_word: the rule of a valid/ready link on the ports of a Verilated model: while valid and not ready, valid and the word hold.
-//   held_word h("name");  h.look(valid, ready, port, clock) in every clock, before the edge; a broken rule is a failure of the test
+//   held_word h("name");  h.look(valid, ready, port)   in every clock, before the edge: what rule was broken, or nothing
 //   h.forget()  after a reset
 #pragma once
-#include <gtest/gtest.h>
-
 #include <cstdint>
+#include <string>
 #include <type_traits>
 #include <vector>
 
-namespace relievo::test {
+namespace relievo::tb {
 
 class held_word {
  public:
@@ -17,11 +16,13 @@ class held_word {
   void forget() { held_ = false; }
 
   template <class Port>
-  void look(bool valid, bool ready, Port const& port, std::uint64_t clock) {
-    if (held_ && !valid) ADD_FAILURE() << name_ << ": valid fell before the word was taken, clock " << clock;
-    if (held_ && valid && words(port) != word_) ADD_FAILURE() << name_ << ": the word changed before it was taken, clock " << clock;
+  std::string look(bool valid, bool ready, Port const& port) {
+    std::string broken;
+    if (held_ && !valid) broken = std::string(name_) + ": valid fell before the word was taken";
+    if (held_ && valid && words(port) != word_) broken = std::string(name_) + ": the word changed before it was taken";
     held_ = valid && !ready;
     if (held_) word_ = words(port);
+    return broken;
   }
 
  private:
@@ -41,4 +42,4 @@ class held_word {
   std::vector<std::uint64_t> word_;
 };
 
-}  // namespace relievo::test
+}  // namespace relievo::tb

@@ -1,0 +1,158 @@
+// map_ports: the map memories behind the read ports of a Verilated top of the edge engine, of any lanes, table reads and profile samples.
+//   load(contents)    what they hold;  forget()  what was asked before a reset;  quiet(model)  nothing is answered or taken
+//   offer(model, clock)   their inputs to the model, before an edge;  take(model, clock)  its requests, at the edge
+//   error_next        in the next clock an answer is said to be none;  answered()  how many words went out
+//   Only words of the map may be asked for: anything else goes to the failure hook, and is answered with word 0.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <deque>
+#include <string>
+#include <utility>
+
+#include "hls/surface/map_regs.hpp"
+#include "tb/cosim/bus_traffic.hpp"
+#include "tb/cosim/map_words.hpp"
+#include "tb/cosim/ports_of_lanes.hpp"
+
+namespace relievo::tb {
+
+// The maps, row by row; they outlive the runs that read them.
+struct map_contents {
+  int width = 0, height = 0;
+  std::uint16_t const* texels = nullptr;
+  std::uint64_t const *table = nullptr, *normals = nullptr;
+};
+
+template <class Model, int Lanes, int Reads, int Samples>
+class map_ports {
+ public:
+  using contents = map_contents;
+  using table_requests = group<table_request, Reads>;
+  using table_answers = group<table_word, Reads>;
+  using quad_requests = group<quad_request, Samples>;
+  using quad_answers = group<texel_quad, Samples>;
+
+  map_ports(bus_traffic const& t, failure_hook fail) : fail_(std::move(fail)), table_(t, 1), quad_(t, 2), place_(t, 3), normal_(t, 4) {}
+
+  bool error_next = false;
+
+  void quiet(Model& m) {
+    m.table_req_ready_i = m.quad_req_ready_i = m.place_req_ready_i = m.normal_req_ready_i = 0;
+    m.table_rsp_valid_i = m.quad_rsp_valid_i = m.place_rsp_valid_i = m.normal_rsp_valid_i = 0;
+    m.memory_error_i = 0;
+  }
+  void forget() {
+    table_.forget();
+    quad_.forget();
+    place_.forget();
+    normal_.forget();
+  }
+  bool asks(Model const& m) const { return m.table_req_valid_o || m.quad_req_valid_o || m.place_req_valid_o || m.normal_req_valid_o; }
+  void load(map_contents const& c) { map_ = c; }
+  std::uint64_t answered() const { return table_.answered + quad_.answered + place_.answered + normal_.answered; }
+
+  void offer(Model& m, std::uint64_t clock) {
+    table_.offer(clock, m.table_req_ready_i, m.table_rsp_valid_i, m.table_rsp_i);
+    quad_.offer(clock, m.quad_req_ready_i, m.quad_rsp_valid_i, m.quad_rsp_i);
+    place_.offer(clock, m.place_req_ready_i, m.place_rsp_valid_i, m.place_rsp_i);
+    normal_.offer(clock, m.normal_req_ready_i, m.normal_rsp_valid_i, m.normal_rsp_i);
+    m.memory_error_i = error_next;
+    error_next = false;
+  }
+  void take(Model& m, std::uint64_t clock) {
+    table_.take(clock, m.table_req_valid_o, m.table_req_o, [this](table_requests const& r, int) { return table_words(r); });
+    quad_.take(clock, m.quad_req_valid_o, m.quad_req_o, [&](quad_requests const& r, int lane) {
+      quad_answers a{};
+      const std::uint64_t wanted = get_bits<64>(m.quad_req_mask_o, lane * Samples, Samples).limb[0];
+      for (int i = 0; i < Samples; ++i)
+        if (((wanted >> i) & 1) != 0) a.at[i] = texels(r.at[i]);
+      return a;
+    });
+    place_.take(clock, m.place_req_valid_o, m.place_req_o, [this](quad_request const& r, int) { return texels(r); });
+    normal_.take(clock, m.normal_req_valid_o, m.normal_req_o, [this](quad_request const& r, int) { return normals(r); });
+  }
+
+ private:
+  // The memories of a port, one a lane.
+  template <class Request, class Answer>
+  struct port {
+    port(bus_traffic const& t, std::uint64_t salt) : pace(t.stall, t.seed + 10 + salt), times(t, 20 + salt) {}
+    struct lane {
+      std::deque<std::pair<std::uint64_t, Answer>> answers;
+      bool ready = false;
+    };
+    std::array<lane, Lanes> lanes;
+    pacer pace;
+    answer_times times;
+    std::uint64_t answered = 0;
+
+    void forget() { lanes = {}; }
+    template <class Bits, class Port>
+    void offer(std::uint64_t clock, Bits& ready, Bits& valid, Port& rsp) {
+      std::uint32_t readies = 0, valids = 0;
+      for (int i = 0; i < Lanes; ++i) {
+        lane& l = lanes[static_cast<std::size_t>(i)];
+        l.ready = pace.go();
+        readies |= static_cast<std::uint32_t>(l.ready) << i;
+        if (l.answers.empty() || l.answers.front().first > clock || !times.open(clock)) continue;
+        valids |= std::uint32_t(1) << i;
+        constexpr int width = hls::field_width<Answer>::value;
+        put_bits(rsp, i * width, hls::pack(l.answers.front().second), width);
+        l.answers.pop_front();
+        ++answered;
+      }
+      ready = static_cast<Bits>(readies);
+      valid = static_cast<Bits>(valids);
+    }
+    template <class Bits, class Port, class LookUp>
+    void take(std::uint64_t clock, Bits valid, Port const& req, LookUp look_up) {
+      for (int i = 0; i < Lanes; ++i) {
+        lane& l = lanes[static_cast<std::size_t>(i)];
+        if (((static_cast<std::uint32_t>(valid) >> i) & 1) == 0 || !l.ready) continue;
+        constexpr int width = hls::field_width<Request>::value;
+        const auto request = hls::unpack<Request>(get_bits<(width + 7) / 8 * 8>(req, i * width, width));
+        l.answers.push_back({times.due(clock, l.answers.empty() ? 0 : l.answers.back().first), look_up(request, i)});
+      }
+    }
+  };
+
+  std::size_t place(std::int64_t x, std::int64_t y) {
+    if (x >= map_.width || y >= map_.height) {
+      fail_("word (" + std::to_string(x) + ", " + std::to_string(y) + ") was asked for, of a map of " + std::to_string(map_.width) + " x " +
+            std::to_string(map_.height));
+      return 0;
+    }
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(map_.width) + static_cast<std::size_t>(x);
+  }
+  texel_quad texels(quad_request const& r) {
+    texel_quad q{};
+    for (int row = 0; row < 2; ++row)
+      for (int column = 0; column < 2; ++column)
+        q.q[row][column] = hls::from_raw<formats::texel>(map_.texels[place(raw(r.x[column]), raw(r.y[row]))]);
+    return q;
+  }
+  normal_quad normals(quad_request const& r) {
+    normal_quad q{};
+    for (int row = 0; row < 2; ++row)
+      for (int column = 0; column < 2; ++column)
+        for (int i = 0; i < 3; ++i) q.q[row][column][i] = hls::unpack_normal(map_.normals[place(raw(r.x[column]), raw(r.y[row]))], i);
+    return q;
+  }
+  table_answers table_words(table_requests const& r) {
+    table_answers a{};
+    for (int i = 0; i < Reads; ++i)
+      if (r.at[i].read)
+        a.at[i].word = hls::from_raw<formats::table_sum>(static_cast<std::int64_t>(map_.table[place(raw(r.at[i].x), raw(r.at[i].y))]));
+    return a;
+  }
+
+  failure_hook fail_;
+  map_contents map_;
+  port<table_requests, table_answers> table_;
+  port<quad_requests, quad_answers> quad_;
+  port<quad_request, texel_quad> place_;
+  port<quad_request, normal_quad> normal_;
+};
+
+}  // namespace relievo::tb
