@@ -8,9 +8,9 @@
 #include "Vengine.h"
 #include "hls/surface/displace.hpp"
 #include "tb/model/hls_words.hpp"
-#include "tests/bench/jacksboro.hpp"
 #include "tests/support/engine_loop.hpp"
 #include "tests/support/engine_words.hpp"
+#include "tests/support/jacksboro.hpp"
 #include "tests/support/pipeline.hpp"
 
 namespace relievo::bench {
@@ -25,7 +25,7 @@ class circuit_scene {
 
  private:
   static tb::scene make(std::optional<int> max_generation) {
-    tb::scene_options options = jacksboro();
+    tb::scene_options options = test::jacksboro();
     options.max_generation = max_generation;
     return tb::make_scene(options);
   }

@@ -3,7 +3,7 @@
 #include <benchmark/benchmark.h>
 
 #include "tb/model/model.hpp"
-#include "tests/bench/jacksboro.hpp"
+#include "tests/support/jacksboro.hpp"
 
 namespace relievo::bench {
 namespace {
@@ -22,11 +22,11 @@ void run_engine(benchmark::State& state, tb::scene_options const& options) {
   state.counters["edge_tests"] = static_cast<double>(counts.edge_tests);
 }
 
-void engine_paper_tests(benchmark::State& state) { run_engine(state, jacksboro()); }
+void engine_paper_tests(benchmark::State& state) { run_engine(state, test::jacksboro()); }
 BENCHMARK(engine_paper_tests)->Unit(benchmark::kMillisecond);
 
 void engine_with_profile(benchmark::State& state) {
-  tb::scene_options options = jacksboro();
+  tb::scene_options options = test::jacksboro();
   options.tests.pt = true;
   options.normal_threshold = 1.2;
   options.height_threshold = 80000;

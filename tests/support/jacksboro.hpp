@@ -1,9 +1,9 @@
-// jacksboro: the scene of the engine's benchmarks: the Jacksboro terrain over 128 base triangles, about 20,000 triangles out with the
+// jacksboro: the scene of the engine's benchmarks and of its clocks: the Jacksboro terrain over 128 base triangles, about 20,000 triangles out with the
 // paper's four tests.
 #pragma once
 #include "tb/host/scene.hpp"
 
-namespace relievo::bench {
+namespace relievo::test {
 
 inline tb::scene_options jacksboro() {
   tb::scene_options options;
@@ -17,4 +17,4 @@ inline tb::scene_options jacksboro() {
   return options;
 }
 
-}  // namespace relievo::bench
+}  // namespace relievo::test
