@@ -254,12 +254,14 @@ module edge_engine
   // ---- the maps
   table_write_t    table_word;
   normal_map_out_t normal_word;
+  logic            map_close;
+  assign map_close = control.clear_error;
   edge_engine_maps i_maps (
     .clk_i(aclk),
     .rst_ni(rst_nq),
     .regs_i(written_regs.map),
     .normal_regs_i(normal_regs),
-    .close_i(control.clear_error),
+    .close_i(map_close),
     .stop_i(control.stop),
     .in_valid_i(s_axis_map_tvalid),
     .in_ready_o(s_axis_map_tready),
