@@ -5,10 +5,13 @@
 //         count_o  words held, of 0..Depth
 //
 //   latency 3, initiation interval 1; all outputs registered: no path from out_ready_i to in_ready_o, none from in_valid_i to out_valid_o.
-//   The words lie in a memory with a registered read port. What it puts out goes into the head's register and nowhere else: a block
-//   memory's output is slow. So that a word can leave every clock, the word behind the head moves on, and the next one is read, in the
-//   clock in which the head leaves; out_ready_i enables those registers and the read port.
-//   memory -> read_q -> head_q -> out
+//   Whether the memory is full or holds a word are registers too, not comparisons of a count. out_ready_i enables the head's register.
+//
+//   memory -> read_q -> head_q -> out    The memory has a registered read port, which a block memory is slow behind: what it puts out goes
+//                                        into the head's register and nowhere else. So that a word can leave every clock, the word behind
+//                                        the head moves on, and the next one is read, in the clock in which the head leaves.
+//   memory -> head_q -> out              To 16 words: an FPGA's small memories read at once, and need no register between. What is written
+//                                        is seen a clock later, so that the latency is the same.
 module stream_fifo #(
   parameter type T = logic,
   parameter int unsigned Depth = 4,
@@ -25,55 +28,81 @@ module stream_fifo #(
   output logic [CountBits-1:0] count_o
 );
   localparam int unsigned PlaceBits = Depth > 1 ? $clog2(Depth) : 1;
-
-  // Read and write never meet at a place: nothing is read from an empty memory nor written to a full one. No bypass is wanted.
-  (* no_rw_check *) T memory_q [Depth];
-  T read_q;
-  logic read_valid_q;
+  localparam bit Small = Depth <= 16;
 
   logic [PlaceBits-1:0] write_place_q, read_place_q;
   logic [CountBits-1:0] count_q;    // words held in all
-  logic [CountBits-1:0] stored_q;   // words in the memory that have not been read
-  T head_q;
-  logic head_valid_q;
+  logic [CountBits-1:0] stored_q;   // words in the memory that can be read
+  logic ready_q;                    // count_q is less than Depth
+  logic some_q;                     // stored_q is not 0
+  T head_q, behind;                 // behind: what goes into the head
+  logic head_valid_q, behind_valid;
 
   function automatic logic [PlaceBits-1:0] after(logic [PlaceBits-1:0] place);
     return place == PlaceBits'(Depth - 1) ? '0 : place + PlaceBits'(1);
   endfunction
 
-  logic write, leave, follow, read;
-  assign in_ready_o = count_q != CountBits'(Depth);
-  assign write = in_valid_i && in_ready_o;
+  logic write, written, leave, follow, read;
+  assign in_ready_o = ready_q;
+  assign write = in_valid_i && ready_q;
   assign leave = head_valid_q && out_ready_i;
-  // The head is free for the word behind it; a read needs read_q free, or moving on.
+  // The head is free for the word behind it.
   assign follow = leave || !head_valid_q;
-  assign read = stored_q != '0 && (follow || !read_valid_q);
 
   assign out_valid_o = head_valid_q;
   assign out_o = head_q;
   assign count_o = count_q;
 
-  always_ff @(posedge clk_i) begin
-    if (write) memory_q[write_place_q] <= in_i;
-    if (read) read_q <= memory_q[read_place_q];
-    if (follow) head_q <= read_q;
+  // Read and write never meet at a place: nothing is read from an empty memory nor written to a full one. No bypass is wanted.
+  if (Small) begin : gen_small
+    (* ram_style = "distributed" *) T memory_q [Depth];
+    logic written_q;
+    assign written = written_q;
+    assign read = some_q && follow;
+    assign behind = memory_q[read_place_q];
+    assign behind_valid = some_q;
+    always_ff @(posedge clk_i) begin
+      if (write) memory_q[write_place_q] <= in_i;
+      if (!rst_ni) written_q <= 1'b0;
+      else written_q <= write;
+    end
+  end else begin : gen_large
+    (* no_rw_check *) T memory_q [Depth];
+    T read_q;
+    logic read_valid_q;
+    assign written = write;
+    // A read needs read_q free, or moving on.
+    assign read = some_q && (follow || !read_valid_q);
+    assign behind = read_q;
+    assign behind_valid = read_valid_q;
+    always_ff @(posedge clk_i) begin
+      if (write) memory_q[write_place_q] <= in_i;
+      if (read) read_q <= memory_q[read_place_q];
+      if (!rst_ni) read_valid_q <= 1'b0;
+      else read_valid_q <= read || (read_valid_q && !follow);
+    end
   end
 
+  always_ff @(posedge clk_i) begin
+    if (follow) head_q <= behind;
+  end
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       write_place_q <= '0;
       read_place_q <= '0;
       count_q <= '0;
       stored_q <= '0;
-      read_valid_q <= 1'b0;
+      ready_q <= 1'b1;
+      some_q <= 1'b0;
       head_valid_q <= 1'b0;
     end else begin
       if (write) write_place_q <= after(write_place_q);
       if (read) read_place_q <= after(read_place_q);
       count_q <= count_q + CountBits'(write) - CountBits'(leave);
-      stored_q <= stored_q + CountBits'(write) - CountBits'(read);
-      read_valid_q <= read || (read_valid_q && !follow);
-      if (follow) head_valid_q <= read_valid_q;
+      stored_q <= stored_q + CountBits'(written) - CountBits'(read);
+      ready_q <= leave || (ready_q && !(write && count_q == CountBits'(Depth - 1)));
+      some_q <= written || (some_q && !(read && stored_q == CountBits'(1)));
+      if (follow) head_valid_q <= behind_valid;
     end
   end
 endmodule

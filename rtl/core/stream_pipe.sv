@@ -5,7 +5,8 @@
 //   out   out_valid_o, out_ready_i, out_o
 //
 //   latency Latency + 3, initiation interval 1 where Depth >= Latency + 5; no path from out_ready_i to in_ready_o.
-//   A word is taken only when a place in the FIFO is reserved for its result, so the pipeline never stalls and nothing is lost.
+//   A word is taken only when a place in the FIFO is reserved for its result, so the pipeline never stalls and nothing is lost. Whether
+//   there is one is a register.
 module stream_pipe #(
   parameter type T = logic,
   parameter int unsigned Latency = 1,
@@ -22,20 +23,22 @@ module stream_pipe #(
 );
   localparam int unsigned CountBits = $clog2(Depth + 1);
 
-  logic take, leave;
+  logic take, leave, ready_q;
   logic [CountBits-1:0] reserved_q;
   logic [Latency-1:0] travelling_q;
 
-  assign in_ready_o = reserved_q != CountBits'(Depth);
+  assign in_ready_o = ready_q;
   assign take = in_valid_i && in_ready_o;
   assign leave = out_valid_o && out_ready_i;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       reserved_q <= '0;
+      ready_q <= 1'b1;
       travelling_q <= '0;
     end else begin
       reserved_q <= reserved_q + CountBits'(take) - CountBits'(leave);
+      ready_q <= leave || (ready_q && !(take && reserved_q == CountBits'(Depth - 1)));
       travelling_q <= Latency'({travelling_q, take});
     end
   end

@@ -3,15 +3,15 @@
 //   out   out_valid_o, out_ready_i, out_o  the triangle, its edges settled as get_triangle says, and what is asked
 //   contract: get_triangle in step() of hls/edge/engine.hpp
 //
-//   latency 4, initiation interval 1; registered: all outputs; no path from out_ready_i to in_ready_o
+//   latency 1, initiation interval 1; registered: all of out. in_ready_o depends on out_ready_i: what is behind is a gate of registers, and
+//   what is before, the queue, takes it to registers alone
 //
-//   in --+--[stream_fifo]----------------+-- out
-//        +--[get_triangle]--[its FIFO]---+
+//   in --+--[triangle]------+-- out
+//        +--[get_triangle]--+
 module edge_ask
   import formats_pkg::*;
   import edge_pkg::*;
   import engine_pkg::*;
-  import latency_pkg::*;
 (
   input  logic        clk_i,
   input  logic        rst_ni,
@@ -23,44 +23,30 @@ module edge_ask
   input  logic        out_ready_i,
   output flight_t     out_o
 );
-  // The triangle waits beside what is found about it: both are taken in one clock and leave in one.
-  localparam int unsigned Depth = GetTriangle + 5;
-  triangle_t triangle;
-  logic triangle_valid, leave, unused_ready;
-  logic [$clog2(Depth+1)-1:0] unused_count;
-  stream_fifo #(.T(triangle_t), .Depth(Depth)) i_triangle (
-    .clk_i,
-    .rst_ni,
-    .in_valid_i,
-    .in_ready_o,
-    .in_i,
-    .out_valid_o(triangle_valid),
-    .out_ready_i(leave),
-    .out_o(triangle),
-    .count_o(unused_count)
+  logic valid_q;
+  triangle_t triangle_q;
+  assign in_ready_o = !valid_q || out_ready_i;
+  assign out_valid_o = valid_q;
+  always_ff @(posedge clk_i) begin
+    if (in_ready_o) triangle_q <= in_i;
+    if (!rst_ni) valid_q <= 1'b0;
+    else if (in_ready_o) valid_q <= in_valid_i;
+  end
+
+  // get_triangle never stalls: of a triangle that waits it says the same again.
+  get_triangle_out_t got;
+  get_triangle i_get_triangle (
+    .clk_i, .max_generation_i, .in_i(in_ready_o ? in_i : triangle_q), .out_o(got)
   );
-  get_triangle_out_t found, got;
-  get_triangle i_get_triangle (.clk_i, .max_generation_i, .in_i, .out_o(found));
-  stream_pipe #(.T(get_triangle_out_t), .Latency(GetTriangle), .Depth(Depth)) i_got (
-    .clk_i,
-    .rst_ni,
-    .in_valid_i(in_valid_i && in_ready_o),
-    .in_ready_o(unused_ready),
-    .data_i(found),
-    .out_valid_o,
-    .out_ready_i,
-    .out_o(got)
-  );
-  assign leave = out_valid_o && out_ready_i;
 
   always_comb begin
-    out_o.t = triangle;
+    out_o.t = triangle_q;
     out_o.t.settled = got.settled;
     out_o.place = |got.new_surface;
     out_o.ask = out_o.place ? 3'b111 : ~got.settled;
   end
 
-  // The triangle is there a clock earlier; which normals are new makes no difference here.
-  logic unused_triangle;
-  assign unused_triangle = ^{triangle_valid, triangle.settled, got.new_normal};
+  // Which normals are new makes no difference here.
+  logic unused_normal;
+  assign unused_normal = ^{got.new_normal, triangle_q.settled};
 endmodule

@@ -50,7 +50,9 @@ module edge_dispatch
     assign unused_clk = clk_i ^ rst_ni;
   end else begin : gen_one
     // Edges of the triangle at the head that were sent; it has entered the flight with the first.
-    logic [2:0] sent_q, left, chosen;
+    // chosen is kept as it is: without that synthesis finds it anew for every bit of the edge.
+    logic [2:0] sent_q, left;
+    (* keep *) logic [2:0] chosen;
     logic started_q, send, last;
     assign left = in_i.ask & ~sent_q;
     assign chosen = left & (~left + 3'd1);
@@ -59,7 +61,10 @@ module edge_dispatch
     assign send = lane_valid_o[0] && lane_ready_i[0];
     assign in_ready_o = last && (left == '0 || lane_ready_i[0]) && (started_q || flight_ready_i);
     assign flight_valid_o = in_valid_i && !started_q && (send || left == '0);
-    assign lane_o[0] = chosen[0] ? work[0] : chosen[1] ? work[1] : work[2];
+    always_comb begin
+      lane_o[0] = '0;
+      for (int i = 0; i < 3; i++) lane_o[0] |= {$bits(lane_in_t){chosen[i]}} & work[i];
+    end
     always_ff @(posedge clk_i) begin
       if (!rst_ni) begin
         sent_q <= '0;

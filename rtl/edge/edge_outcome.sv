@@ -5,7 +5,7 @@
 //   contract: what follows the loop over the edges in step() of hls/edge/engine.hpp
 //
 //   Lanes = 1  one tessellate, a triangle put out a clock;  Lanes = 3  three of them take turns, one goes to the queue and one out a clock
-//   latency 4, as tessellate; initiation interval: the triangles put out, over the lanes. Registered: as tessellate; what edge_results
+//   latency 5, as tessellate; initiation interval: the triangles put out, over the lanes. Registered: as tessellate; what edge_results
 //   chooses is not
 //
 //                    +--[tessellate]--+

@@ -43,15 +43,11 @@ module edge_output
   assign culled_o = in_valid_i && cull_it;
   assign finish_o = over_i && hold_ready;
   assign write = (arrives_o && holding_q) || finish_o;
+  // Before its first triangle a mesh holds a record of zeros.
   always_comb begin
     word = held_q;
-    if (finish_o) begin
-      if (!holding_q) begin
-        word = '0;
-        word.empty = 1'b1;
-      end
-      word.last = 1'b1;
-    end
+    word.empty = !holding_q;
+    word.last = finish_o;
   end
   stream_fifo #(.T(triangle_out_t), .Depth(4)) i_out (
     .clk_i,
@@ -67,8 +63,12 @@ module edge_output
   assign empty_o = count == '0;
 
   always_ff @(posedge clk_i) begin
-    if (arrives_o) held_q <= to_output(in_i);
-    if (!rst_ni || clear_i) holding_q <= 1'b0;
-    else if (arrives_o) holding_q <= 1'b1;
+    if (!rst_ni || clear_i) begin
+      holding_q <= 1'b0;
+      held_q <= '0;
+    end else if (arrives_o) begin
+      holding_q <= 1'b1;
+      held_q <= to_output(in_i);
+    end
   end
 endmodule

@@ -14,6 +14,5 @@ package latency_pkg;
   localparam int unsigned PassOrTessellate = 1;
   localparam int unsigned Transform = 32;
   localparam int unsigned TransformNormal = 6;
-  localparam int unsigned GetTriangle = 1;
   localparam int unsigned ShorterDiagonal = 9;
 endpackage

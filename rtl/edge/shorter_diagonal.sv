@@ -22,9 +22,18 @@ module shorter_diagonal
   input  vertex_t   q_i,
   output logic      first_o
 );
-  // s0: the axis at the bottom is the one that goes.
+  // s0: the axis at the bottom is the one that goes. The order is asked for by a and b as they are a clock after start_i.
   position_t [2:0] s0_a_q, s0_b_q, s0_p_q, s0_q_q;
+  vertex_t s0_a_order_q, s0_b_order_q, s0_a, s0_b;
+  always_comb begin
+    s0_a = s0_a_order_q;
+    s0_b = s0_b_order_q;
+    s0_a.p = s0_a_q;
+    s0_b.p = s0_b_q;
+  end
   always_ff @(posedge clk_i) begin
+    s0_a_order_q <= a_i;
+    s0_b_order_q <= b_i;
     s0_a_q <= start_i ? a_i.p : {position_t'(0), s0_a_q[2:1]};
     s0_b_q <= start_i ? b_i.p : {position_t'(0), s0_b_q[2:1]};
     s0_p_q <= start_i ? p_i.p : {position_t'(0), s0_p_q[2:1]};
@@ -54,11 +63,13 @@ module shorter_diagonal
 
   // s5
   logic precedes, s4_precedes;
-  vertex_order i_order (.clk_i, .map_i, .a_i, .b_i, .precedes_o(precedes));
-  delay #(.Stages(6)) i_precedes (.clk_i, .x_i(precedes), .y_o(s4_precedes));
+  vertex_order i_order (
+    .clk_i, .map_i, .a_i(s0_a), .b_i(s0_b), .precedes_o(precedes)
+  );
+  delay #(.Stages(5)) i_precedes (.clk_i, .x_i(precedes), .y_o(s4_precedes));
   always_ff @(posedge clk_i) first_o <= s4_sum_q[53] || (s4_sum_q == '0 && s4_precedes);
 
-  // Of p and q only the places count.
+  // Of p and q only the places count; the order has those of a and b from the registers of the axes.
   logic unused_computed;
-  assign unused_computed = ^{a_i, b_i, p_i, q_i};
+  assign unused_computed = ^{p_i, q_i, s0_a_order_q.p, s0_b_order_q.p};
 endmodule

@@ -6,13 +6,14 @@
 //   out   out_valid_o, out_ready_i, out_o
 //   max_generation_i, map_i              constant while triangles are inside
 //
-//   latency 4, of the second triangle of two splits 13; initiation interval: the triangles that are
+//   latency 5, of the second triangle of two splits 14; initiation interval: the triangles that are
 //   put out, and 3 behind two splits. Registered: all outputs; no path from out_ready_i to in_ready_o
 //
-//   in --+--[stream_fifo]-----------------------+--[t]-- out
+//   in --+--[stream_fifo: six vertices]-------------------+--[t]-- out
+//        +--[stream_fifo: what to do]-----------+--[plan]-+
 //        +--[shorter_diagonal]--[stream_fifo]---+
 //
-//   Six vertices wait in the FIFO and not the twelve of the children: a child's are chosen when it leaves. With a, b, c turned so that the
+//   Six vertices wait and not the twelve of the children: a child's are chosen when it leaves, by bits that are registers. With a, b, c turned so that the
 //   one split edge, or the one whole edge, runs from a to b,
 //       1 split              2 splits              3 splits
 //          c                     c                     c             m is the new vertex of a-b,
@@ -43,7 +44,7 @@ module tessellate
     logic        settled;
     generation_t generation;
   } edge_state_t;
-  // What waits: settled speaks of a base triangle alone; highest is the largest generation of a split edge.
+  // What is to be done with six vertices: settled speaks of a base triangle alone; highest is the largest generation of a split edge.
   typedef struct packed {
     logic              place;
     logic        [2:0] split;
@@ -51,10 +52,12 @@ module tessellate
     generation_t       highest;
     generation_t [2:0] generation;
     index_t            index;
-    vertex_t     [2:0] m;
-    vertex_t     [2:0] v;
-  } word_t;
-  // A vertex of a child: one of a, b, c, m, p, q, turned back to those of word_t; one bit is set.
+  } order_t;
+  typedef struct packed {
+    vertex_t [2:0] m;
+    vertex_t [2:0] v;
+  } six_t;
+  // A vertex of a child: one of a, b, c, m, p, q, turned back to those of six_t; one bit is set.
   typedef struct packed {
     logic [2:0] m;
     logic [2:0] v;
@@ -83,21 +86,21 @@ module tessellate
       default: return 3'b001 << name;
     endcase
   endfunction
-  function automatic vertex_t choose(vertex_t [2:0] v, vertex_t [2:0] m, choice_t which);
+  function automatic vertex_t choose(six_t six, choice_t which);
     vertex_t chosen;
     chosen = '0;
     for (int i = 0; i < 3; i++) begin
-      chosen |= {$bits(vertex_t){which.v[i]}} & v[i];
-      chosen |= {$bits(vertex_t){which.m[i]}} & m[i];
+      chosen |= {$bits(vertex_t){which.v[i]}} & six.v[i];
+      chosen |= {$bits(vertex_t){which.m[i]}} & six.m[i];
     end
     return chosen;
   endfunction
 
   // ---- in: of two splits the diagonals are asked for, which takes three clocks
-  logic take, two_in, asking, words_ready, unused_decisions_ready;
+  logic take, two_in, asking, places_left, unused_orders_ready, unused_decisions_ready;
   logic [1:0] asked_q;
   assign asking = asked_q != '0;
-  assign in_ready_o = words_ready && !asking;
+  assign in_ready_o = places_left && !asking;
   assign take = in_valid_i && in_ready_o;
   assign two_in = $countones(in_i.t.split) == 2;
   always_ff @(posedge clk_i) begin
@@ -106,37 +109,49 @@ module tessellate
   end
 
   generation_t [2:0] split_generation;
-  word_t word_in, word;
+  order_t order_in, order;
+  six_t six_in, six;
   always_comb begin
     for (int i = 0; i < 3; i++) begin
       split_generation[i] = in_i.t.split[i] ? in_i.t.t.generation[i] : '0;
     end
-    word_in = '{
+    order_in = '{
         place: in_i.place,
         split: in_i.t.split,
         settled: in_i.t.t.settled,
         highest: larger(larger(split_generation[0], split_generation[1]), split_generation[2]),
         generation: in_i.t.t.generation,
-        index: in_i.t.t.index,
-        m: in_i.t.m,
-        v: in_i.t.t.v
+        index: in_i.t.t.index
     };
+    six_in = '{m: in_i.t.m, v: in_i.t.t.v};
   end
-  logic word_valid, word_ready;
-  logic [$clog2(Depth+1)-1:0] unused_count;
-  stream_fifo #(.T(word_t), .Depth(Depth)) i_words (
+  logic order_valid, order_ready, unused_six_valid, six_ready;
+  logic [$clog2(Depth+1)-1:0] unused_count, unused_six_count;
+  stream_fifo #(.T(order_t), .Depth(Depth)) i_orders (
     .clk_i,
     .rst_ni,
     .in_valid_i(take),
-    .in_ready_o(words_ready),
-    .in_i(word_in),
-    .out_valid_o(word_valid),
-    .out_ready_i(word_ready),
-    .out_o(word),
+    .in_ready_o(unused_orders_ready),
+    .in_i(order_in),
+    .out_valid_o(order_valid),
+    .out_ready_i(order_ready),
+    .out_o(order),
     .count_o(unused_count)
   );
+  // The vertices leave after their order: where there is a place for them there is one for it.
+  stream_fifo #(.T(six_t), .Depth(Depth)) i_six (
+    .clk_i,
+    .rst_ni,
+    .in_valid_i(take),
+    .in_ready_o(places_left),
+    .in_i(six_in),
+    .out_valid_o(unused_six_valid),
+    .out_ready_i(six_ready),
+    .out_o(six),
+    .count_o(unused_six_count)
+  );
 
-  // ---- of two splits, whether the diagonal a-p is taken; a decision for every such word, so that there is always a place for it
+  // ---- of two splits, whether the diagonal a-p is taken; a decision leaves with its order, so there is always a place for it
   logic [2:0][1:0] from;
   logic decision, decided, decision_ready, first;
   always_comb begin
@@ -163,23 +178,33 @@ module tessellate
     .out_o(first)
   );
 
-  // ---- out: the next child of the word at the head
+  // ---- the next child of the order at the head, and what it is made of
+  typedef struct packed {
+    logic              ends;
+    logic              born;
+    index_t            index;
+    edge_state_t [2:0] edges;
+    choice_t     [2:0] vertices;
+  } plan_t;
+  plan_t plan, plan_q;
   logic [1:0] splits, child_q;
-  logic known, free, go, ends;
-  assign splits = 2'($countones(word.split));
+  logic known, plan_valid_q, plan_free, go, ends, out_free;
+  assign splits = 2'($countones(order.split));
   assign ends = child_q == splits;
   assign known = splits != 2'd2 || child_q == '0 || decided;
-  assign free = !out_valid_o || out_ready_i;
-  assign go = word_valid && known && free;
-  assign word_ready = known && free && ends;
-  assign decision_ready = word_valid && splits == 2'd2 && ends && free;
+  assign out_free = !out_valid_o || out_ready_i;
+  assign plan_free = !plan_valid_q || out_free;
+  assign go = order_valid && known && plan_free;
+  assign order_ready = known && plan_free && ends;
+  assign decision_ready = order_valid && splits == 2'd2 && ends && plan_free;
+  assign six_ready = plan_valid_q && out_free && plan_q.ends;
 
   logic    [2:0] a, b, c;
   choice_t [2:0] choice;
   always_comb begin
-    a = place_of(turn_of(word.split), 0);
-    b = place_of(turn_of(word.split), 1);
-    c = place_of(turn_of(word.split), 2);
+    a = place_of(turn_of(order.split), 0);
+    b = place_of(turn_of(order.split), 1);
+    c = place_of(turn_of(order.split), 2);
     // m lies on the edge that begins at a: its place among m is that of a among v, and so p's is b's and q's is c's.
     choice = '0;
     unique case ({splits, child_q})
@@ -192,7 +217,7 @@ module tessellate
       4'b11_01: {choice[0].m, choice[1].v, choice[2].m} = {a, b, b};
       4'b11_11: {choice[0].m, choice[1].m, choice[2].m} = {a, b, c};
       default: begin
-        if (word.place) {choice[0].m, choice[1].m, choice[2].m} = {a, b, c};
+        if (order.place) {choice[0].m, choice[1].m, choice[2].m} = {a, b, c};
         else {choice[0].v, choice[1].v, choice[2].v} = {a, b, c};
       end
     endcase
@@ -202,11 +227,11 @@ module tessellate
   edge_state_t       inner;
   edge_state_t [2:0] half, whole, edges;
   always_comb begin
-    inner = child_edge(word.highest, max_generation_i);
+    inner = child_edge(order.highest, max_generation_i);
     for (int i = 0; i < 3; i++) begin
-      automatic logic [1:0] place = 2'((i + int'(turn_of(word.split))) % 3);
-      half[i] = child_edge(word.generation[place], max_generation_i);
-      whole[i] = '{generation: word.generation[place], settled: !word.place || word.settled[i]};
+      automatic logic [1:0] place = 2'((i + int'(turn_of(order.split))) % 3);
+      half[i] = child_edge(order.generation[place], max_generation_i);
+      whole[i] = '{generation: order.generation[place], settled: !order.place || order.settled[i]};
     end
     unique case ({splits, child_q})
       4'b01_00: edges = {whole[2], inner, half[0]};
@@ -221,22 +246,34 @@ module tessellate
     endcase
   end
 
+  assign plan = '{
+      ends: ends,
+      born: splits != '0 || order.place,
+      index: order.index,
+      edges: edges,
+      vertices: choice
+  };
+
+  // ---- out
   always_ff @(posedge clk_i) begin
-    if (free) begin
+    if (plan_free) plan_q <= plan;
+    if (out_free) begin
       for (int i = 0; i < 3; i++) begin
-        out_o.t.v[i] <= choose(word.v, word.m, choice[i]);
-        {out_o.t.settled[i], out_o.t.generation[i]} <= edges[i];
+        out_o.t.v[i] <= choose(six, plan_q.vertices[i]);
+        {out_o.t.settled[i], out_o.t.generation[i]} <= plan_q.edges[i];
       end
-      out_o.t.index <= word.index;
+      out_o.t.index <= plan_q.index;
       out_o.t.last <= 1'b0;
-      out_o.born <= splits != '0 || word.place;
-      out_o.ends <= ends;
+      out_o.born <= plan_q.born;
+      out_o.ends <= plan_q.ends;
     end
     if (!rst_ni) begin
+      plan_valid_q <= 1'b0;
       out_valid_o <= 1'b0;
       child_q <= '0;
     end else begin
-      if (free) out_valid_o <= word_valid && known;
+      if (plan_free) plan_valid_q <= order_valid && known;
+      if (out_free) out_valid_o <= plan_valid_q;
       if (go) child_q <= ends ? '0 : child_q + 2'd1;
     end
   end

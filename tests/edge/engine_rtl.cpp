@@ -132,14 +132,14 @@ TEST(engine, a_vertex_saturates_twice) {
 
 // Of what a triangle passes, by the headers of the units.
 constexpr int fifo = 3;
-constexpr int get_triangle = 1 + fifo;
+constexpr int get_triangle = 1;
 constexpr int three_edges = 2;  // the third enters the lane two clocks after the first
 constexpr int front = 6 + fifo;
 constexpr int beside_the_map_tests = fifo, summed_height_test = 63;  // and the memory
 constexpr int new_vertex = 25 + fifo;
 constexpr int beside_the_maps = fifo, displace_vertex = 31;  // and the memory
 constexpr int back = 37 + fifo;
-constexpr int tessellate = fifo + 1;
+constexpr int tessellate = fifo + 2;
 constexpr int queue = 3;
 // Start, the queue's first permission, the record that is held back, the queue's last word, the FIFO in front of the output.
 constexpr int ends = 6 + fifo;
