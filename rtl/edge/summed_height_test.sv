@@ -5,8 +5,9 @@
 //               InFlight       see summed_area_lookup
 //   table [4 r + c] or, with one word each, [r] is of rectangle r: around P1, around P2, around P12
 //
-//   latency 63 + that of the memory, from the last beat on; initiation interval 12/ReadsPerClock, times the passes of summed_area_lookup
-//   where rectangles cross wrapped borders. Registered: every stage; no path from a ready input to in_ready_o or to a valid output.
+//   latency 63 + that of the memory, from the last beat on, 67 with three words; initiation interval 12/ReadsPerClock, times the passes of
+//   summed_area_lookup where rectangles cross wrapped borders. Registered: every stage; no path from a ready input to in_ready_o or to a
+//   valid output.
 //
 //   in --[s0: extents]--[bounds]--[FIFO]--[one by one, or three at once]--[summed_area_lookup]-- memory
 //   out --[FIFO]--[compare]--[s2: |difference|, limit]--[S1 + S2]--[gathered]--------+

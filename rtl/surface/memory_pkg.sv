@@ -1,4 +1,4 @@
-// memory_pkg: what the read ports of the map memories carry.
+// memory_pkg: what the read ports of the map memories carry, and what is looked for in the summed-area table.
 //
 //   A read port asks with req_valid/req_ready, req, and is answered in order with rsp_valid, rsp, after any number of clocks. An answer
 //   cannot be refused: who asks has a place for it. Requests give coordinates, not addresses, so that a memory may lay out its words
@@ -31,4 +31,20 @@ package memory_pkg;
     map_size_t  y;
     map_size_t  x;
   } table_write_t;
+
+  // Where a rectangle's corners lie in the table; pairs: [0] in u, [1] in v.
+  typedef struct packed {
+    logic      [7:0]      turns_uv;  // the product
+    logic      [1:0][3:0] turns;     // of the map, between low and high
+    logic      [1:0]      turning;   // there are any
+    logic      [1:0]      read_low;
+    map_size_t [1:0]      low;
+    map_size_t [1:0]      high;
+  } table_region_t;
+  // A rectangle's texels.
+  typedef struct packed {
+    logic  clipped;
+    area_t kept;  // of the full area, what is on the map
+    area_t full;
+  } table_areas_t;
 endpackage

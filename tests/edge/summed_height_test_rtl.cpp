@@ -3,7 +3,8 @@
 // verilate: Vsummed_height_test_4 ReadsPerClock=4
 // verilate: Vsummed_height_test_12 ReadsPerClock=12
 // summed_height_test: the circuit equals the kernel with 1, 3, 4 and 12 words a clock, on every kind of map under all traffic, and at its
-// thresholds; an edge takes twelve words and 12, 4, 3 or 1 clocks, 63 clocks and the memory's later, more across wrapped borders.
+// thresholds; an edge takes twelve words and 12, 4, 3 or 1 clocks, 63 clocks (67 with 3 words) and the memory's later, more across wrapped
+// borders.
 #include <cstdlib>
 #include <memory>
 #include <string>
@@ -232,6 +233,8 @@ TYPED_TEST(summed_height_test, takes_twelve_words_an_edge_and_as_many_clocks_as_
   const test_map map(64, 48, fill::random, g);
   const hls::map_regs regs = map.regs(true, true);
   constexpr std::uint64_t count = 300;
+  // Three rectangles with a word each take turns before and behind their reads.
+  constexpr std::uint64_t latency_but_memory = TypeParam::reads == 3 ? 67 : 63;
   for (kind const& k : kinds)
     for (const std::int64_t latency : {1, 60}) {
       tally counts;
@@ -241,7 +244,7 @@ TYPED_TEST(summed_height_test, takes_twelve_words_an_edge_and_as_many_clocks_as_
       const bool across_both = k.passes[0] == 2 && k.passes[1] == 2;
       const std::uint64_t beats = TypeParam::side_by_side ? (across_both ? 4 : std::max({k.passes[0], k.passes[1], k.passes[2]})) * 12
                                                           : (k.passes[0] + k.passes[1] + k.passes[2]) * 4;
-      EXPECT_EQ(clocks, count * beats / TypeParam::reads + 63 + static_cast<std::uint64_t>(latency))
+      EXPECT_EQ(clocks, count * beats / TypeParam::reads + latency_but_memory + static_cast<std::uint64_t>(latency))
           << k.x1 << ", " << k.y1 << " to " << k.x2;
       EXPECT_EQ(counts.words, count * k.words) << k.x1 << ", " << k.y1 << " to " << k.x2;
     }
