@@ -5,7 +5,11 @@
 //         normal_i  its sample of the normal map;  displaced_i  its P'
 //   out   out_o     the vertex, complete with P'_s and N'_s; whether the edge splits there; what to count
 //
-//   latency Bump + the longer of (HighlightTest, PassOrTessellate) and (TransformNormal), or Transform: see Latency; initiation interval 1
+//   parameter  Clocks  that a vertex takes, 1 or 3: see the units
+//   in         first_i with three clocks: a vertex comes in; the next every three clocks, or later by a multiple of three
+//
+//   latency Bump + the longer of (HighlightTest, PassOrTessellate) and (TransformNormal), or Transform: see latency_pkg; initiation
+//   interval Clocks
 //
 //   m --[bump]-- N' --+--[normal_test, highlight_test]--[pass_or_tessellate]-- split
 //                     +--[transform_normal]-- N'_s
@@ -17,29 +21,38 @@ module edge_back
   import lane_pkg::*;
   import latency_pkg::*;
 #(
-  localparam int unsigned Tests =
-      (NormalTest > HighlightTest ? NormalTest : HighlightTest) + PassOrTessellate,
-  localparam int unsigned AfterBump = Tests > TransformNormal ? Tests : TransformNormal,
-  localparam int unsigned Latency = Bump + AfterBump > Transform ? Bump + AfterBump : Transform
+  parameter int unsigned Clocks = 1,
+  localparam int unsigned Latency = latency_pkg::edge_back(Clocks)
 ) (
   input  logic                 clk_i,
+  input  logic                 first_i,
   input  engine_regs_t         regs_i,
   input  new_vertex_t          in_i,
   input  normal_sampler_out_t  normal_i,
   input  displace_vertex_out_t displaced_i,
   output lane_out_t            out_o
 );
-  // N', and what comes after it.
+  localparam int unsigned ToNormal = latency_pkg::bump(Clocks);
+  localparam int unsigned ToHighlight = latency_pkg::highlight_test(Clocks);
+  localparam int unsigned ToScreen = latency_pkg::transform(Clocks);
+  localparam int unsigned ToScreenNormal = latency_pkg::transform_normal(Clocks);
+
+  // N', and what comes after it. With three clocks a vertex is at the same of the three at every place, all the time.
+  logic first_after;
+  delay #(.Stages(ToNormal % Clocks)) i_first_after (.clk_i, .x_i(first_i), .y_o(first_after));
   bump_out_t s0_bump, s1_bump;
-  bump i_bump (.clk_i, .in_i('{m: normal_i.n, t: in_i.t, n: in_i.n}), .out_o(s0_bump));
-  delay #(.T(bump_out_t), .Stages(Latency - Bump)) i_bump_later (
+  bump #(.Clocks(Clocks)) i_bump (
+    .clk_i, .first_i, .in_i('{m: normal_i.n, t: in_i.t, n: in_i.n}), .out_o(s0_bump)
+  );
+  delay #(.T(bump_out_t), .Stages(Latency - ToNormal)) i_bump_later (
     .clk_i, .x_i(s0_bump), .y_o(s1_bump)
   );
 
   unit_t [2:0] s0_n1, s0_n2;
-  delay #(.T(unit_t [2:0]), .Stages(Bump)) i_n1 (.clk_i, .x_i(in_i.n1), .y_o(s0_n1));
-  delay #(.T(unit_t [2:0]), .Stages(Bump)) i_n2 (.clk_i, .x_i(in_i.n2), .y_o(s0_n2));
-  localparam int unsigned TestsOnly = Tests - PassOrTessellate;
+  delay #(.T(unit_t [2:0]), .Stages(ToNormal)) i_n1 (.clk_i, .x_i(in_i.n1), .y_o(s0_n1));
+  delay #(.T(unit_t [2:0]), .Stages(ToNormal)) i_n2 (.clk_i, .x_i(in_i.n2), .y_o(s0_n2));
+  localparam int unsigned TestsOnly = longer(NormalTest, ToHighlight);
+  localparam int unsigned Tests = TestsOnly + PassOrTessellate;
   normal_test_out_t s0_nt, s1_nt, s2_nt;
   normal_test i_nt (
     .clk_i, .regs_i(regs_i.normal), .in_i('{n12: s0_bump.n, n2: s0_n2, n1: s0_n1}), .out_o(s0_nt)
@@ -48,10 +61,14 @@ module edge_back
     .clk_i, .x_i(s0_nt), .y_o(s1_nt)
   );
   highlight_test_out_t s0_ht, s1_ht, s2_ht;
-  highlight_test i_ht (
-    .clk_i, .regs_i(regs_i.highlight), .in_i('{n12: s0_bump.n, n2: s0_n2, n1: s0_n1}), .out_o(s0_ht)
+  highlight_test #(.Clocks(Clocks)) i_ht (
+    .clk_i,
+    .first_i(first_after),
+    .regs_i(regs_i.highlight),
+    .in_i('{n12: s0_bump.n, n2: s0_n2, n1: s0_n1}),
+    .out_o(s0_ht)
   );
-  delay #(.T(highlight_test_out_t), .Stages(TestsOnly - HighlightTest)) i_ht_later (
+  delay #(.T(highlight_test_out_t), .Stages(TestsOnly - ToHighlight)) i_ht_later (
     .clk_i, .x_i(s0_ht), .y_o(s1_ht)
   );
 
@@ -64,7 +81,7 @@ module edge_back
     logic        vt;
   } decision_t;
   decision_t s1_tests;
-  delay #(.T(decision_t), .Stages(Bump + TestsOnly)) i_tests (
+  delay #(.T(decision_t), .Stages(ToNormal + TestsOnly)) i_tests (
     .clk_i,
     .x_i('{
         generation: in_i.generation,
@@ -92,31 +109,35 @@ module edge_back
     }),
     .out_o(s1_split)
   );
-  delay #(.T(pass_or_tessellate_out_t), .Stages(Latency - Bump - Tests)) i_split_later (
+  delay #(.T(pass_or_tessellate_out_t), .Stages(Latency - ToNormal - Tests)) i_split_later (
     .clk_i, .x_i(s1_split), .y_o(s2_split)
   );
-  delay #(.T(normal_test_out_t), .Stages(Latency - Bump - TestsOnly)) i_nt_end (
+  delay #(.T(normal_test_out_t), .Stages(Latency - ToNormal - TestsOnly)) i_nt_end (
     .clk_i, .x_i(s1_nt), .y_o(s2_nt)
   );
-  delay #(.T(highlight_test_out_t), .Stages(Latency - Bump - TestsOnly)) i_ht_end (
+  delay #(.T(highlight_test_out_t), .Stages(Latency - ToNormal - TestsOnly)) i_ht_end (
     .clk_i, .x_i(s1_ht), .y_o(s2_ht)
   );
 
   // To the screen.
   position_t [2:0] s0_p;
-  delay #(.T(position_t [2:0]), .Stages(Bump)) i_p (.clk_i, .x_i(displaced_i.p), .y_o(s0_p));
+  delay #(.T(position_t [2:0]), .Stages(ToNormal)) i_p (.clk_i, .x_i(displaced_i.p), .y_o(s0_p));
   transform_normal_out_t s0_normal, s1_normal;
-  transform_normal i_transform_normal (
-    .clk_i, .regs_i(regs_i.transform_normal), .in_i('{n: s0_bump.n, p: s0_p}), .out_o(s0_normal)
+  transform_normal #(.Clocks(Clocks)) i_transform_normal (
+    .clk_i,
+    .first_i(first_after),
+    .regs_i(regs_i.transform_normal),
+    .in_i('{n: s0_bump.n, p: s0_p}),
+    .out_o(s0_normal)
   );
-  delay #(.T(transform_normal_out_t), .Stages(Latency - Bump - TransformNormal)) i_normal_later (
+  delay #(.T(transform_normal_out_t), .Stages(Latency - ToNormal - ToScreenNormal)) i_normal_later (
     .clk_i, .x_i(s0_normal), .y_o(s1_normal)
   );
   transform_out_t s0_seen, s1_seen;
-  transform i_transform (
-    .clk_i, .regs_i(regs_i.transform), .in_i('{p: displaced_i.p}), .out_o(s0_seen)
+  transform #(.Clocks(Clocks)) i_transform (
+    .clk_i, .first_i, .regs_i(regs_i.transform), .in_i('{p: displaced_i.p}), .out_o(s0_seen)
   );
-  delay #(.T(transform_out_t), .Stages(Latency - Transform)) i_seen_later (
+  delay #(.T(transform_out_t), .Stages(Latency - ToScreen)) i_seen_later (
     .clk_i, .x_i(s0_seen), .y_o(s1_seen)
   );
 

@@ -8,9 +8,12 @@
 //   out_*    lane_out_t, in the order of in_*
 //   An edge stopped by vt or ct asks no memory; one that needs no new vertex asks none for it.
 //
-//   latency 171 clocks, and those of the table's and of the map's memory; initiation interval 1 where the memories deliver: an edge takes
-//   12/ReadsPerClock clocks of the table and ceil(samples/SamplesPerClock) of the map when those tests are on. Registered: in_ready_o and
-//   all outputs; within, a join waits until all its parts have something. Nothing is dropped, everything can stall.
+//   parameter VertexClocks  that a new vertex takes, 1 or 3; with three, which edges take of the memories anyway when a test asks them,
+//             its arithmetic takes turns
+//
+//   latency 171 clocks, and those of the table's and of the map's memory; initiation interval VertexClocks where the memories deliver: an
+//   edge takes 12/ReadsPerClock clocks of the table and ceil(samples/SamplesPerClock) of the map when those tests are on. Registered:
+//   in_ready_o and all outputs; within, a join waits until all its parts have something. Nothing is dropped, everything can stall.
 //
 //   in --[edge_front]--+--[summed_height_test]--+--[new_vertex]--+--[normal_sampler]---+--[edge_back]-- out
 //                      +--[profile_test]--------+                +--[displace_vertex]--+
@@ -25,7 +28,8 @@ module edge_lane
 #(
   parameter int unsigned ReadsPerClock = 12,
   parameter int unsigned SamplesPerClock = 4,
-  parameter int unsigned InFlight = 128
+  parameter int unsigned InFlight = 128,
+  parameter int unsigned VertexClocks = ReadsPerClock < 12 && SamplesPerClock == 1 ? 3 : 1
 ) (
   input  logic         clk_i,
   input  logic         rst_ni,
@@ -65,10 +69,19 @@ module edge_lane
   output lane_out_t out_o
 );
   localparam int unsigned FrontLatency = CalculateNewU + TexCoordTest;
-  localparam int unsigned BackTests =
-      (NormalTest > HighlightTest ? NormalTest : HighlightTest) + PassOrTessellate;
-  localparam int unsigned AfterBump = BackTests > TransformNormal ? BackTests : TransformNormal;
-  localparam int unsigned BackLatency = Bump + AfterBump > Transform ? Bump + AfterBump : Transform;
+
+  // A vertex begins at the first of VertexClocks clocks.
+  logic first;
+  if (VertexClocks == 1) begin : gen_every_clock
+    assign first = 1'b1;
+  end else begin : gen_turns
+    logic [VertexClocks-1:0] turn_q;
+    always_ff @(posedge clk_i) begin
+      if (!rst_ni) turn_q <= VertexClocks'(1);
+      else turn_q <= {turn_q[VertexClocks-2:0], turn_q[VertexClocks-1]};
+    end
+    assign first = turn_q[0];
+  end
 
   // Is the edge past the tests that are asked first?
   function automatic logic past(logic place, logic vt, logic ct, pass_or_tessellate_regs_t regs);
@@ -159,11 +172,12 @@ module edge_lane
   );
 
   // ---- join: the place of the new vertex is known
-  logic beside_past, wait_sht, wait_pt, joined_valid, joined_ready;
+  logic beside_past, wait_sht, wait_pt, joined_valid, joined_ready, new_ready;
   assign beside_past = past(beside.work.place, beside.vt, beside.ct, regs_i.pass);
   assign wait_sht = beside_past && regs_i.pass.use_sht;
   assign wait_pt = beside_past && regs_i.pass.use_pt;
   assign joined_valid = beside_valid && (sht_valid || !wait_sht) && (pt_valid || !wait_pt);
+  assign joined_ready = new_ready && first;
   assign beside_leave = joined_valid && joined_ready;
   assign sht_ready = beside_leave && wait_sht;
   assign pt_ready = beside_leave && wait_pt;
@@ -182,12 +196,14 @@ module edge_lane
   // ---- the new vertex
   new_vertex_t made_data, made;
   logic        made_valid, made_ready;
-  new_vertex i_new_vertex (.clk_i, .in_i(joined), .out_o(made_data));
-  stream_pipe #(.T(new_vertex_t), .Latency(CalculateNewN)) i_new_pipe (
+  new_vertex #(.Clocks(VertexClocks)) i_new_vertex (
+    .clk_i, .first_i(first), .in_i(joined), .out_o(made_data)
+  );
+  stream_pipe #(.T(new_vertex_t), .Latency(latency_pkg::new_vertex(VertexClocks))) i_new_pipe (
     .clk_i,
     .rst_ni,
-    .in_valid_i(joined_valid),
-    .in_ready_o(joined_ready),
+    .in_valid_i(joined_valid && first),
+    .in_ready_o(new_ready),
     .data_i(made_data),
     .out_valid_o(made_valid),
     .out_ready_i(made_ready),
@@ -258,27 +274,29 @@ module edge_lane
   );
 
   // ---- join, and the decision
-  logic wait_maps, last_valid, last_ready;
+  logic wait_maps, last_valid, last_ready, back_ready;
   assign wait_maps = needed(waiting, regs_i.pass);
   assign last_valid = waiting_valid && ((normal_valid && displaced_valid) || !wait_maps);
+  assign last_ready = back_ready && first;
   assign waiting_leave = last_valid && last_ready;
   assign normal_ready = waiting_leave && wait_maps;
   assign displaced_ready = waiting_leave && wait_maps;
 
   lane_out_t back_data;
-  edge_back i_back (
+  edge_back #(.Clocks(VertexClocks)) i_back (
     .clk_i,
+    .first_i(first),
     .regs_i,
     .in_i(waiting),
     .normal_i(normal),
     .displaced_i(displaced),
     .out_o(back_data)
   );
-  stream_pipe #(.T(lane_out_t), .Latency(BackLatency)) i_back_pipe (
+  stream_pipe #(.T(lane_out_t), .Latency(latency_pkg::edge_back(VertexClocks))) i_back_pipe (
     .clk_i,
     .rst_ni,
-    .in_valid_i(last_valid),
-    .in_ready_o(last_ready),
+    .in_valid_i(last_valid && first),
+    .in_ready_o(back_ready),
     .data_i(back_data),
     .out_valid_o,
     .out_ready_i,

@@ -1,16 +1,22 @@
 // new_vertex: P, U, N and T at k/16 of an edge; a base vertex keeps its own.
 //   contract: new_vertex of hls/edge/engine.hpp, what comes before the normal map is read
 //
-//   latency CalculateNewN, initiation interval 1; registered: every unit's stages; a pure pipeline of calculate_new_p, _u and two of _n
+//   parameter  Clocks  that a vertex takes, 1 or 3: with three N and T take turns
+//   in         first_i with three clocks: a vertex comes in; the next at the earliest three clocks later
+//
+//   latency CalculateNewN, with three clocks one more; initiation interval Clocks; registered: every unit's stages; a pure pipeline of
+//   calculate_new_p, _u and two of _n, or one
 module new_vertex
   import formats_pkg::*;
   import edge_pkg::*;
   import lane_pkg::*;
   import latency_pkg::*;
 #(
-  localparam int unsigned Latency = CalculateNewN
+  parameter int unsigned Clocks = 1,
+  localparam int unsigned Latency = latency_pkg::new_vertex(Clocks)
 ) (
   input  logic        clk_i,
+  input  logic        first_i,
   input  weighted_t   in_i,
   output new_vertex_t out_o
 );
@@ -30,12 +36,26 @@ module new_vertex
     .clk_i, .x_i(s0_u), .y_o(s1_u)
   );
   calculate_new_n_out_t s1_n, s1_t;
-  calculate_new_n i_n (
-    .clk_i, .in_i('{tangent: 1'b0, k: in_i.k, n2: b.n, n1: a.n}), .out_o(s1_n)
-  );
-  calculate_new_n i_t (
-    .clk_i, .in_i('{tangent: 1'b1, k: in_i.k, n2: b.t, n1: a.t}), .out_o(s1_t)
-  );
+  calculate_new_n_in_t normals, tangents;
+  assign normals  = '{tangent: 1'b0, k: in_i.k, n2: b.n, n1: a.n};
+  assign tangents = '{tangent: 1'b1, k: in_i.k, n2: b.t, n1: a.t};
+  if (Clocks == 1) begin : gen_both
+    calculate_new_n i_n (.clk_i, .in_i(normals), .out_o(s1_n));
+    calculate_new_n i_t (.clk_i, .in_i(tangents), .out_o(s1_t));
+    logic unused_first;
+    assign unused_first = first_i;
+  end else begin : gen_in_turns
+    calculate_new_n_in_t  tangents_q;
+    calculate_new_n_out_t s1_either;
+    always_ff @(posedge clk_i) begin
+      tangents_q <= tangents;
+      s1_n <= s1_either;
+    end
+    calculate_new_n i_either (
+      .clk_i, .in_i(first_i ? normals : tangents_q), .out_o(s1_either)
+    );
+    assign s1_t = s1_either;
+  end
 
   weighted_t later;
   delay #(.T(weighted_t), .Stages(Latency)) i_later (.clk_i, .x_i(in_i), .y_o(later));

@@ -29,8 +29,10 @@ module bump_cover
 endmodule
 
 bind bump bump_cover i_cover (
+  .s0_clipped(3'(s0_clipped)),
+  .s1_clipped(3'(s1_clipped)),
   .s0_negative_i({
-    gen_axis[2].s0_bitangent < 0, gen_axis[1].s0_bitangent < 0, gen_axis[0].s0_bitangent < 0
+    gen_axis[Axes-1].s0_bitangent < 0, gen_axis[Axes/2].s0_bitangent < 0, gen_axis[0].s0_bitangent < 0
   }),
   .*
 );

@@ -32,4 +32,6 @@ module transform_cover
   beyond_the_nearest: cover property (@(posedge clk_i) w > regs_i.w_min);
 endmodule
 
-bind transform transform_cover i_cover (.*);
+bind transform transform_cover i_cover (
+  .s0_x(s0[0]), .s0_y(s0[Quotients-1]), .*
+);

@@ -1,5 +1,9 @@
-// highlight_test: the circuit equals the kernel, four clocks later; anywhere and with products that end next to the threshold.
+// verilate: Vhighlight_test
+// verilate: Vhighlight_test_3 Clocks=3
+// highlight_test: the circuit equals the kernel, four clocks later, or in three clocks seven later; anywhere and with products that end
+// next to the threshold.
 #include "Vhighlight_test.h"
+#include "Vhighlight_test_3.h"
 #include "hls/edge/highlight_test.hpp"
 #include "tests/support/pipeline.hpp"
 #include "tests/support/shapes.hpp"
@@ -29,6 +33,7 @@ void at_the_threshold(vector& v, generator& g) {
 }
 
 TEST(highlight_test, rtl_equals_hls) { pipeline_test<Vhighlight_test, vector>(latency, any_word(), kernel); }
+TEST(highlight_test, rtl_equals_hls_in_three_clocks) { pipeline_test<Vhighlight_test_3, vector, 3>(7, at_the_threshold, kernel); }
 TEST(highlight_test, rtl_equals_hls_at_the_threshold) {
   std::uint64_t positive = 0, seen = 0;
   pipeline_test<Vhighlight_test, vector>(latency, at_the_threshold, [&](vector const& v) {

@@ -1,13 +1,15 @@
 // pipeline: drives the Verilated model of a pure pipeline and holds it against the kernel, word by word, with its promised latency.
 //
-//   pipeline_test<Model, V>(latency, shape, expected, same = all words, ports = in_i and out_o)   -> clocks that it took
+//   pipeline_test<Model, V, Interval = 1>(latency, shape, expected, same = all words, ports = in_i and out_o)   -> clocks that it took
 //     Model     Verilated module with clk_i, in_i, out_o and, where V has them, regs_i, map_i, max_generation_i
 //     V         stimulus<In, Regs>, or any record of in, regs, map and max_generation
 //     shape     as in for_vectors: brings a drawn vector into the unit's domain
 //     expected  v -> the kernel's out record
 //     same      (rtl, hls) -> AssertionResult, for a unit of whose out record some words say nothing
 //     ports     in(model, in), out<Out>(model), for a unit whose words are on ports of other names
-//   A new vector goes in every clock: initiation interval 1. Each answer is looked at exactly latency clocks after its vector: a
+//     Interval  initiation interval: clocks from one vector to the next; in the first of them first_i is set, if there is one, and the
+//               others have other words at the input
+//   Each answer is looked at exactly latency clocks after its vector: a
 //   pipeline that is shorter or longer shows another vector's. Registers change between bursts, when the pipeline has drained. Corners
 //   first, then rtl_vector_count() random vectors.
 #pragma once
@@ -80,6 +82,13 @@ void keep_constants(V& v, V const& first) {
   keep_max_generation(v, first, 0);
 }
 
+template <class Model>
+auto drive_first(Model& model, bool first, int) -> decltype(model.first_i, void()) {
+  model.first_i = first;
+}
+template <class Model>
+void drive_first(Model&, bool, long) {}
+
 struct one_port {
   template <class Model, class In>
   void in(Model& model, In const& word) const {
@@ -99,7 +108,8 @@ struct all_words {
 
 }  // namespace detail
 
-template <class Model, class V, class Shape, class Expected, class Same = detail::all_words, class Ports = detail::one_port>
+template <class Model, class V, int Interval = 1, class Shape, class Expected, class Same = detail::all_words,
+          class Ports = detail::one_port>
 std::uint64_t pipeline_test(int latency, Shape shape, Expected expected, Same same = {}, Ports ports = {}) {
   using Out = decltype(expected(std::declval<V const&>()));
   struct pending {
@@ -133,9 +143,19 @@ std::uint64_t pipeline_test(int latency, Shape shape, Expected expected, Same sa
       ADD_FAILURE() << "rtl against hls, " << result.message() << "\nclock " << clocks << ", seed " << seed() << ":\n" << describe(done->v);
     return static_cast<bool>(result);
   };
+  generator g = next_generator();
+  V other{};
   const auto feed = [&](V const& v) {
     ports.in(model, v.in);
-    return clock(pending{v, expected(v)});
+    detail::drive_first(model, true, 0);
+    bool passed = clock(pending{v, expected(v)});
+    for (int i = 1; i < Interval && passed; ++i) {
+      draw_vector(other, draw::uniform, g);
+      ports.in(model, other.in);
+      detail::drive_first(model, false, 0);
+      passed = clock(std::nullopt);
+    }
+    return passed;
   };
   const auto drain = [&] {
     for (int i = 1; i < latency; ++i)
@@ -144,7 +164,6 @@ std::uint64_t pipeline_test(int latency, Shape shape, Expected expected, Same sa
     return true;
   };
 
-  generator g = next_generator();
   V v{};
   const std::size_t words = tb::layout<V>().size();
   constexpr int backgrounds[] = {0, 2, 4};

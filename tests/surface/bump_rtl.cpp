@@ -1,6 +1,9 @@
-// bump: the circuit equals the kernel, one vector a clock, 31 clocks later: on any words, on unit vectors, and where little is left to
-// normalise.
+// verilate: Vbump
+// verilate: Vbump_3 Clocks=3
+// bump: the circuit equals the kernel, one vector a clock, 31 clocks later, or one in three clocks and 34 later: on any words, on unit
+// vectors, and where little is left to normalise.
 #include "Vbump.h"
+#include "Vbump_3.h"
 #include "hls/surface/bump.hpp"
 #include "tests/support/pipeline.hpp"
 #include "tests/support/shapes.hpp"
@@ -18,14 +21,18 @@ void equals_kernel(Shape shape) {
   pipeline_test<Vbump, in_only>(31, shape, [](in_only const& v) { return hls::bump(v.in); });
 }
 
-TEST(bump, rtl_equals_hls) { equals_kernel(any_word()); }
+void unit_vectors(in_only& v, generator& g) {
+  unit_vector(v.in.n, g);
+  unit_vector(v.in.t, g);
+  unit_vector(v.in.m, g);
+}
 
-TEST(bump, rtl_equals_hls_on_unit_vectors) {
-  equals_kernel([](in_only& v, generator& g) {
-    unit_vector(v.in.n, g);
-    unit_vector(v.in.t, g);
-    unit_vector(v.in.m, g);
-  });
+TEST(bump, rtl_equals_hls) { equals_kernel(any_word()); }
+TEST(bump, rtl_equals_hls_on_unit_vectors) { equals_kernel(unit_vectors); }
+TEST(bump, rtl_equals_hls_in_three_clocks) {
+  const auto kernel = [](in_only const& v) { return hls::bump(v.in); };
+  pipeline_test<Vbump_3, in_only, 3>(34, any_word(), kernel);
+  pipeline_test<Vbump_3, in_only, 3>(34, unit_vectors, kernel);
 }
 
 // Opposite contributions, so that what is normalised is small or nothing.

@@ -1,6 +1,9 @@
-// transform_normal: the circuit equals the kernel, one vector a clock, six clocks later: on any words, and where the eye is close to the
-// plane across the normal, so that `away` hangs on the last bit.
+// verilate: Vtransform_normal
+// verilate: Vtransform_normal_3 Clocks=3
+// transform_normal: the circuit equals the kernel, one vector a clock, six clocks later, or one in three clocks and eight later: on any
+// words, and where the eye is close to the plane across the normal, so that `away` hangs on the last bit.
 #include "Vtransform_normal.h"
+#include "Vtransform_normal_3.h"
 #include "hls/surface/transform_normal.hpp"
 #include "tests/support/pipeline.hpp"
 #include "tests/support/shapes.hpp"
@@ -15,10 +18,11 @@ TEST(transform_normal, rtl_equals_hls) {
 }
 
 // The registers stay in a burst, so it is P' that is laid beside the eye, along (-n.y, n.x, 0), which is perpendicular, and an LSB off.
-TEST(transform_normal, rtl_equals_hls_at_grazing_angles) {
+template <class Model, int Interval>
+void equals_kernel_at_grazing_angles(int latency) {
   std::uint64_t away = 0, level = 0, seen = 0;
-  pipeline_test<Vtransform_normal, vector>(
-      6,
+  pipeline_test<Model, vector, Interval>(
+      latency,
       [](vector& v, generator& g) {
         unit_vector(v.in.n, g);
         const std::int64_t step = g.between(-400, 400);
@@ -42,6 +46,13 @@ TEST(transform_normal, rtl_equals_hls_at_grazing_angles) {
       });
   EXPECT_GT(away, seen / 4);
   EXPECT_GT(level, seen / 100) << "no right angles among the vectors";
+}
+
+TEST(transform_normal, rtl_equals_hls_at_grazing_angles) { equals_kernel_at_grazing_angles<Vtransform_normal, 1>(6); }
+
+TEST(transform_normal, rtl_equals_hls_in_three_clocks) {
+  pipeline_test<Vtransform_normal_3, vector, 3>(8, any_word(), [](vector const& v) { return hls::transform_normal(v.in, v.regs); });
+  equals_kernel_at_grazing_angles<Vtransform_normal_3, 3>(8);
 }
 
 }  // namespace
