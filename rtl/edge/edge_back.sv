@@ -1,8 +1,9 @@
 // edge_back: what a lane does once the maps have been read at the new vertex: N', the tests on normals, the way to the screen, and the
 // decision.
 //   contract: test_edge and place of hls/edge/engine.hpp, after the samplers
-//   in    in_i      the new vertex and what the earlier tests said
+//   in    in_i      the new vertex's base frame
 //         normal_i  its sample of the normal map;  displaced_i  its P'
+//         judged_i  what the earlier tests said, and N' of the ends: comes when N' does, bump(Clocks) of latency_pkg later
 //   out   out_o     the vertex, complete with P'_s and N'_s; whether the edge splits there; what to count
 //
 //   parameter  Clocks  that a vertex takes, 1 or 3: see the units
@@ -27,10 +28,11 @@ module edge_back
   input  logic                 clk_i,
   input  logic                 first_i,
   input  engine_regs_t         regs_i,
-  input  new_vertex_t          in_i,
+  input  waiting_t             in_i,
   input  normal_sampler_out_t  normal_i,
   input  displace_vertex_out_t displaced_i,
-  output lane_out_t            out_o
+  input  judged_t              judged_i,
+  output seen_vertex_t         out_o
 );
   localparam int unsigned ToNormal = latency_pkg::bump(Clocks);
   localparam int unsigned ToHighlight = latency_pkg::highlight_test(Clocks);
@@ -48,14 +50,11 @@ module edge_back
     .clk_i, .x_i(s0_bump), .y_o(s1_bump)
   );
 
-  unit_t [2:0] s0_n1, s0_n2;
-  delay #(.T(unit_t [2:0]), .Stages(ToNormal)) i_n1 (.clk_i, .x_i(in_i.n1), .y_o(s0_n1));
-  delay #(.T(unit_t [2:0]), .Stages(ToNormal)) i_n2 (.clk_i, .x_i(in_i.n2), .y_o(s0_n2));
   localparam int unsigned TestsOnly = longer(NormalTest, ToHighlight);
   localparam int unsigned Tests = TestsOnly + PassOrTessellate;
   normal_test_out_t s0_nt, s1_nt, s2_nt;
   normal_test i_nt (
-    .clk_i, .regs_i(regs_i.normal), .in_i('{n12: s0_bump.n, n2: s0_n2, n1: s0_n1}), .out_o(s0_nt)
+    .clk_i, .regs_i(regs_i.normal), .in_i('{n12: s0_bump.n, n2: judged_i.n2, n1: judged_i.n1}), .out_o(s0_nt)
   );
   delay #(.T(normal_test_out_t), .Stages(TestsOnly - NormalTest)) i_nt_later (
     .clk_i, .x_i(s0_nt), .y_o(s1_nt)
@@ -65,46 +64,49 @@ module edge_back
     .clk_i,
     .first_i(first_after),
     .regs_i(regs_i.highlight),
-    .in_i('{n12: s0_bump.n, n2: s0_n2, n1: s0_n1}),
+    .in_i('{n12: s0_bump.n, n2: judged_i.n2, n1: judged_i.n1}),
     .out_o(s0_ht)
   );
   delay #(.T(highlight_test_out_t), .Stages(TestsOnly - ToHighlight)) i_ht_later (
     .clk_i, .x_i(s0_ht), .y_o(s1_ht)
   );
 
+  // What was said before, beside it.
   typedef struct packed {
-    generation_t generation;
-    logic        place;
-    logic        pt;
-    logic        sht;
-    logic        ct;
-    logic        vt;
-  } decision_t;
-  decision_t s1_tests;
-  delay #(.T(decision_t), .Stages(ToNormal + TestsOnly)) i_tests (
-    .clk_i,
-    .x_i('{
-        generation: in_i.generation,
-        place: in_i.place,
-        pt: in_i.pt,
-        sht: in_i.sht,
-        ct: in_i.ct,
-        vt: in_i.vt
-    }),
-    .y_o(s1_tests)
+    logic        [4:0] samples;
+    generation_t       generation;
+    logic              place;
+    logic              pt;
+    logic              sht;
+    logic              ct;
+    logic              vt;
+  } said_t;
+  said_t s0_said, s1_said, s2_said;
+  assign s0_said = '{
+      samples: judged_i.samples,
+      generation: judged_i.generation,
+      place: judged_i.place,
+      pt: judged_i.pt,
+      sht: judged_i.sht,
+      ct: judged_i.ct,
+      vt: judged_i.vt
+  };
+  delay #(.T(said_t), .Stages(TestsOnly)) i_said (.clk_i, .x_i(s0_said), .y_o(s1_said));
+  delay #(.T(said_t), .Stages(Latency - ToNormal - TestsOnly)) i_said_end (
+    .clk_i, .x_i(s1_said), .y_o(s2_said)
   );
   pass_or_tessellate_out_t s1_split, s2_split;
   pass_or_tessellate i_split (
     .clk_i,
     .regs_i(regs_i.pass),
     .in_i('{
-        settled: s1_tests.place,
-        generation: s1_tests.generation,
-        ct: s1_tests.ct,
-        vt: s1_tests.vt,
+        settled: s1_said.place,
+        generation: s1_said.generation,
+        ct: s1_said.ct,
+        vt: s1_said.vt,
         ht: s1_ht.ht,
-        pt: s1_tests.pt,
-        sht: s1_tests.sht,
+        pt: s1_said.pt,
+        sht: s1_said.sht,
         nt: s1_nt.nt
     }),
     .out_o(s1_split)
@@ -142,46 +144,40 @@ module edge_back
   );
 
   // What came in, beside its results.
-  new_vertex_t          later;
-  displace_vertex_out_t displaced;
-  delay #(.T(new_vertex_t), .Stages(Latency)) i_later (.clk_i, .x_i(in_i), .y_o(later));
+  logic                 [1:0] zeros;
+  displace_vertex_out_t       displaced;
+  delay #(.T(logic [1:0]), .Stages(Latency)) i_zeros (.clk_i, .x_i(in_i.zeros), .y_o(zeros));
   delay #(.T(displace_vertex_out_t), .Stages(Latency)) i_displaced (
     .clk_i, .x_i(displaced_i), .y_o(displaced)
   );
 
   logic stays, past_vt, past;
-  assign stays = later.place || s2_split.split;
+  assign stays = s2_said.place || s2_split.split;
   // Past vt and ct, the tests that are asked first.
-  assign past_vt = !later.place && (later.vt || !regs_i.pass.use_vt);
-  assign past = past_vt && (later.ct || !regs_i.pass.use_ct);
+  assign past_vt = !s2_said.place && (s2_said.vt || !regs_i.pass.use_vt);
+  assign past = past_vt && (s2_said.ct || !regs_i.pass.use_ct);
   always_comb begin
     out_o = '0;
-    out_o.m.p = later.p;
-    out_o.m.n = later.n;
-    out_o.m.t = later.t;
-    out_o.m.u = later.u;
-    out_o.m.displaced_p = displaced.p;
-    out_o.m.displaced_n = s1_bump.n;
-    out_o.m.screen = s1_seen.screen;
-    out_o.m.w = s1_seen.w;
-    out_o.m.behind = s1_seen.behind;
-    out_o.m.screen_n = s1_normal.n;
-    out_o.m.away = s1_normal.away;
-    out_o.m.displaced = 1'b1;
-    out_o.m.transformed = 1'b1;
+    out_o.displaced_p = displaced.p;
+    out_o.displaced_n = s1_bump.n;
+    out_o.screen = s1_seen.screen;
+    out_o.w = s1_seen.w;
+    out_o.behind = s1_seen.behind;
+    out_o.screen_n = s1_normal.n;
+    out_o.away = s1_normal.away;
     out_o.split = s2_split.split;
-    out_o.counts.edge_test = !later.place;
-    out_o.counts.vt = !later.place && regs_i.pass.use_vt && !later.vt;
-    out_o.counts.ct = past_vt && regs_i.pass.use_ct && !later.ct;
+    out_o.counts.edge_test = !s2_said.place;
+    out_o.counts.vt = !s2_said.place && regs_i.pass.use_vt && !s2_said.vt;
+    out_o.counts.ct = past_vt && regs_i.pass.use_ct && !s2_said.ct;
     out_o.counts.nt = past && regs_i.pass.use_nt && s2_nt.nt;
-    out_o.counts.sht = past && regs_i.pass.use_sht && later.sht;
-    out_o.counts.pt = past && regs_i.pass.use_pt && later.pt;
+    out_o.counts.sht = past && regs_i.pass.use_sht && s2_said.sht;
+    out_o.counts.pt = past && regs_i.pass.use_pt && s2_said.pt;
     out_o.counts.ht = past && regs_i.pass.use_ht && s2_ht.ht;
     out_o.counts.vertex = stays;
     out_o.counts.saturations = stays ? 2'(displaced.saturated) + 2'(s1_bump.saturated) : 2'd0;
     out_o.counts.screen_saturation = stays && s1_seen.saturated;
-    out_o.counts.zero_vectors = stays ? later.zeros + 2'(s1_bump.zero) : 2'd0;
+    out_o.counts.zero_vectors = stays ? zeros + 2'(s1_bump.zero) : 2'd0;
     out_o.counts.table_read = past && regs_i.pass.use_sht;
-    out_o.counts.profile_samples = past && regs_i.pass.use_pt ? later.samples : 5'd0;
+    out_o.counts.profile_samples = past && regs_i.pass.use_pt ? s2_said.samples : 5'd0;
   end
 endmodule

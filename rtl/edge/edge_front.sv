@@ -33,9 +33,14 @@ module edge_front
   delay #(.T(coordinate_t [1:0]), .Stages(CalculateNewU)) i_u2 (.clk_i, .x_i(b.u), .y_o(s0_u2));
   tex_coord_test_out_t s1_ct;
   tex_coord_test i_ct (.clk_i, .in_i('{u12: s0_u12.u, u2: s0_u2, u1: s0_u1}), .out_o(s1_ct));
-  coordinate_t [1:0] s1_u12;
-  delay #(.T(coordinate_t [1:0]), .Stages(TexCoordTest)) i_u12 (
-    .clk_i, .x_i(s0_u12.u), .y_o(s1_u12)
+  typedef struct packed {
+    coordinate_t [1:0] u12;
+    coordinate_t [1:0] u2;
+    coordinate_t [1:0] u1;
+  } coordinates_t;
+  coordinates_t s1_u;
+  delay #(.T(coordinates_t), .Stages(TexCoordTest)) i_u12 (
+    .clk_i, .x_i('{u12: s0_u12.u, u2: s0_u2, u1: s0_u1}), .y_o(s1_u)
   );
 
   view_test_out_t s0_vt, s1_vt;
@@ -68,15 +73,17 @@ module edge_front
     .clk_i, .x_i(s0_levels), .y_o(s1_levels)
   );
 
-  lane_in_t work;
-  delay #(.T(lane_in_t), .Stages(Latency)) i_work (.clk_i, .x_i(in_i), .y_o(work));
+  logic place;
+  delay #(.Stages(Latency)) i_place (.clk_i, .x_i(in_i.place), .y_o(place));
 
   assign out_o = '{
       samples: s1_levels == '0 ? 5'd0 : (5'd1 << s1_levels) + 5'd1,
       forward: s1_forward,
       ct: s1_ct.ct,
       vt: s1_vt.vt,
-      u12: s1_u12,
-      work: work
+      place: place,
+      u12: s1_u.u12,
+      u2: s1_u.u2,
+      u1: s1_u.u1
   };
 endmodule

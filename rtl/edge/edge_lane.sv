@@ -15,9 +15,11 @@
 //   edge takes 12/ReadsPerClock clocks of the table and ceil(samples/SamplesPerClock) of the map when those tests are on. Registered:
 //   in_ready_o and all outputs; within, a join waits until all its parts have something. Nothing is dropped, everything can stall.
 //
-//   in --[edge_front]--+--[summed_height_test]--+--[new_vertex]--+--[normal_sampler]---+--[edge_back]-- out
-//                      +--[profile_test]--------+                +--[displace_vertex]--+
-//                      +--[FIFO]----------------+                +--[FIFO]-------------+
+//   in --[edge_tests]--+--[new_vertex]--+--[normal_sampler]---+--[edge_back]--+-- out
+//                      |                +--[displace_vertex]--+     |         |
+//                      |                +--[FIFO]-------------+     |         |
+//                      |                +--[FIFO: its base]---------)---------+
+//                      +--[FIFO: what was said]---------------------+
 module edge_lane
   import formats_pkg::*;
   import surface_pkg::*;
@@ -68,7 +70,9 @@ module edge_lane
   input  logic      out_ready_i,
   output lane_out_t out_o
 );
-  localparam int unsigned FrontLatency = CalculateNewU + TexCoordTest;
+  localparam int unsigned NewLatency = latency_pkg::new_vertex(VertexClocks);
+  localparam int unsigned BackLatency = latency_pkg::edge_back(VertexClocks);
+  localparam int unsigned WaitingDepth = InFlight + 64;
 
   // A vertex begins at the first of VertexClocks clocks.
   logic first;
@@ -83,115 +87,36 @@ module edge_lane
     assign first = turn_q[0];
   end
 
-  // Is the edge past the tests that are asked first?
-  function automatic logic past(logic place, logic vt, logic ct, pass_or_tessellate_regs_t regs);
-    return !place && (vt || !regs.use_vt) && (ct || !regs.use_ct);
-  endfunction
-
-  // ---- the tests without a memory
-  tested_t front_data, front;
-  logic    front_valid, front_ready;
-  edge_front i_front (
-    .clk_i, .map_i(regs_i.map), .regs_i(regs_i.view), .in_i, .out_o(front_data)
-  );
-  stream_pipe #(.T(tested_t), .Latency(FrontLatency)) i_front_pipe (
+  // ---- the tests before there is a vertex
+  weighted_t joined;
+  judged_t   joined_judged;
+  logic      joined_valid, joined_ready, new_ready, judged_ready;
+  edge_tests #(
+    .ReadsPerClock(ReadsPerClock), .SamplesPerClock(SamplesPerClock), .InFlight(InFlight)
+  ) i_tests (
     .clk_i,
     .rst_ni,
+    .regs_i,
     .in_valid_i,
     .in_ready_o,
-    .data_i(front_data),
-    .out_valid_o(front_valid),
-    .out_ready_i(front_ready),
-    .out_o(front)
-  );
-
-  // ---- the tests on the maps, side by side; every edge waits beside them, in order
-  logic front_past, ask_sht, ask_pt;
-  assign front_past = past(front.work.place, front.vt, front.ct, regs_i.pass);
-  assign ask_sht = front_past && regs_i.pass.use_sht;
-  assign ask_pt = front_past && regs_i.pass.use_pt;
-
-  logic sht_in_ready, pt_in_ready, beside_ready, front_fire;
-  assign front_ready = beside_ready && (sht_in_ready || !ask_sht) && (pt_in_ready || !ask_pt);
-  assign front_fire = front_valid && front_ready;
-
-  logic sht_valid, sht_ready;
-  summed_height_test_out_t sht;
-  summed_height_test #(.ReadsPerClock(ReadsPerClock), .InFlight(InFlight)) i_sht (
-    .clk_i,
-    .rst_ni,
-    .map_i(regs_i.map),
-    .regs_i(regs_i.summed_height),
-    .in_valid_i(front_fire && ask_sht),
-    .in_ready_o(sht_in_ready),
-    .in_i('{u12: front.u12, u2: front.work.b.u, u1: front.work.a.u}),
+    .in_i,
     .table_req_valid_o,
     .table_req_ready_i,
     .table_req_o,
     .table_rsp_valid_i,
     .table_rsp_i,
-    .out_valid_o(sht_valid),
-    .out_ready_i(sht_ready),
-    .out_o(sht)
-  );
-
-  logic pt_valid, pt_ready;
-  profile_test_out_t pt;
-  profile_test #(.SamplesPerClock(SamplesPerClock), .InFlight(InFlight)) i_pt (
-    .clk_i,
-    .rst_ni,
-    .map_i(regs_i.map),
-    .regs_i(regs_i.profile),
-    .in_valid_i(front_fire && ask_pt),
-    .in_ready_o(pt_in_ready),
-    .in_i('{forward: front.forward, u2: front.work.b.u, u1: front.work.a.u}),
     .quad_req_valid_o,
     .quad_req_ready_i,
     .quad_req_o,
     .quad_req_mask_o,
     .quad_rsp_valid_i,
     .quad_rsp_i,
-    .out_valid_o(pt_valid),
-    .out_ready_i(pt_ready),
-    .out_o(pt)
+    .out_valid_o(joined_valid),
+    .out_ready_i(joined_ready),
+    .weighted_o(joined),
+    .judged_o(joined_judged)
   );
-
-  tested_t beside;
-  logic beside_valid, beside_leave;
-  logic [$clog2(InFlight+65)-1:0] unused_beside_count;
-  stream_fifo #(.T(tested_t), .Depth(InFlight + 64)) i_beside (
-    .clk_i,
-    .rst_ni,
-    .in_valid_i(front_fire),
-    .in_ready_o(beside_ready),
-    .in_i(front),
-    .out_valid_o(beside_valid),
-    .out_ready_i(beside_leave),
-    .out_o(beside),
-    .count_o(unused_beside_count)
-  );
-
-  // ---- join: the place of the new vertex is known
-  logic beside_past, wait_sht, wait_pt, joined_valid, joined_ready, new_ready;
-  assign beside_past = past(beside.work.place, beside.vt, beside.ct, regs_i.pass);
-  assign wait_sht = beside_past && regs_i.pass.use_sht;
-  assign wait_pt = beside_past && regs_i.pass.use_pt;
-  assign joined_valid = beside_valid && (sht_valid || !wait_sht) && (pt_valid || !wait_pt);
-  assign joined_ready = new_ready && first;
-  assign beside_leave = joined_valid && joined_ready;
-  assign sht_ready = beside_leave && wait_sht;
-  assign pt_ready = beside_leave && wait_pt;
-
-  weighted_t joined;
-  always_comb begin
-    joined.work = beside.work;
-    joined.vt = beside.vt;
-    joined.ct = beside.ct;
-    joined.samples = beside.samples;
-    joined.sht = wait_sht && sht.sht;
-    joined.pt = wait_pt && pt.pt;
-    joined.k = beside.work.place ? 5'd0 : wait_pt ? pt.k : 5'd8;
-  end
+  assign joined_ready = new_ready && judged_ready && first;
 
   // ---- the new vertex
   new_vertex_t made_data, made;
@@ -199,10 +124,10 @@ module edge_lane
   new_vertex #(.Clocks(VertexClocks)) i_new_vertex (
     .clk_i, .first_i(first), .in_i(joined), .out_o(made_data)
   );
-  stream_pipe #(.T(new_vertex_t), .Latency(latency_pkg::new_vertex(VertexClocks))) i_new_pipe (
+  stream_pipe #(.T(new_vertex_t), .Latency(NewLatency)) i_new_pipe (
     .clk_i,
     .rst_ni,
-    .in_valid_i(joined_valid && first),
+    .in_valid_i(joined_valid && judged_ready && first),
     .in_ready_o(new_ready),
     .data_i(made_data),
     .out_valid_o(made_valid),
@@ -210,15 +135,34 @@ module edge_lane
     .out_o(made)
   );
 
-  // ---- the maps at the new vertex, where one is needed
-  function automatic logic needed(new_vertex_t v, pass_or_tessellate_regs_t regs);
-    return v.place ||
-        (past(v.place, v.vt, v.ct, regs) && (regs.use_nt || regs.use_ht || v.sht || v.pt));
-  endfunction
+  // What was said waits for N'.
+  judged_t judged;
+  logic    back_fire, unused_judged_valid;
+  localparam int unsigned ToNormal = latency_pkg::bump(VertexClocks);
+  localparam int unsigned JudgedDepth = NewLatency + 5 + WaitingDepth + ToNormal / VertexClocks + 5;
+  logic [ToNormal-1:0] bumping_q;
+  logic [$clog2(JudgedDepth+1)-1:0] unused_judged_count;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) bumping_q <= '0;
+    else bumping_q <= {bumping_q[ToNormal-2:0], back_fire};
+  end
+  stream_fifo #(.T(judged_t), .Depth(JudgedDepth)) i_judged (
+    .clk_i,
+    .rst_ni,
+    .in_valid_i(joined_valid && new_ready && first),
+    .in_ready_o(judged_ready),
+    .in_i(joined_judged),
+    .out_valid_o(unused_judged_valid),
+    .out_ready_i(bumping_q[ToNormal-1]),
+    .out_o(judged),
+    .count_o(unused_judged_count)
+  );
 
-  logic ask_maps, normal_in_ready, displace_in_ready, waiting_ready, made_fire;
-  assign ask_maps = needed(made, regs_i.pass);
-  assign made_ready = waiting_ready && ((normal_in_ready && displace_in_ready) || !ask_maps);
+  // ---- the maps at the new vertex, where one is needed
+  logic ask_maps, normal_in_ready, displace_in_ready, waiting_ready, base_ready, made_fire;
+  assign ask_maps = made.needed;
+  assign made_ready = waiting_ready && base_ready
+                    && ((normal_in_ready && displace_in_ready) || !ask_maps);
   assign made_fire = made_valid && made_ready;
 
   logic normal_valid, normal_ready;
@@ -229,7 +173,7 @@ module edge_lane
     .map_i(regs_i.map),
     .in_valid_i(made_fire && ask_maps),
     .in_ready_o(normal_in_ready),
-    .in_i('{u: made.u}),
+    .in_i('{u: made.base.u}),
     .normal_req_valid_o,
     .normal_req_ready_i,
     .normal_req_o,
@@ -248,7 +192,7 @@ module edge_lane
     .regs_i(regs_i.displace),
     .in_valid_i(made_fire && ask_maps),
     .in_ready_o(displace_in_ready),
-    .in_i('{u: made.u, n: made.n, p: made.p}),
+    .in_i('{u: made.base.u, n: made.base.n, p: made.base.p}),
     .quad_req_valid_o(place_req_valid_o),
     .quad_req_ready_i(place_req_ready_i),
     .quad_req_o(place_req_o),
@@ -258,31 +202,30 @@ module edge_lane
     .out_ready_i(displaced_ready),
     .out_o(displaced)
   );
-  new_vertex_t waiting;
-  logic        waiting_valid, waiting_leave;
-  logic [$clog2(InFlight+65)-1:0] unused_waiting_count;
-  stream_fifo #(.T(new_vertex_t), .Depth(InFlight + 64)) i_waiting (
+  waiting_t waiting;
+  logic     waiting_valid;
+  logic [$clog2(WaitingDepth+1)-1:0] unused_waiting_count;
+  stream_fifo #(.T(waiting_t), .Depth(WaitingDepth)) i_waiting (
     .clk_i,
     .rst_ni,
     .in_valid_i(made_fire),
     .in_ready_o(waiting_ready),
-    .in_i(made),
+    .in_i('{needed: made.needed, zeros: made.zeros, t: made.base.t, n: made.base.n}),
     .out_valid_o(waiting_valid),
-    .out_ready_i(waiting_leave),
+    .out_ready_i(back_fire),
     .out_o(waiting),
     .count_o(unused_waiting_count)
   );
 
   // ---- join, and the decision
-  logic wait_maps, last_valid, last_ready, back_ready;
-  assign wait_maps = needed(waiting, regs_i.pass);
-  assign last_valid = waiting_valid && ((normal_valid && displaced_valid) || !wait_maps);
+  logic last_valid, last_ready, back_ready, seen_valid;
+  assign last_valid = waiting_valid && ((normal_valid && displaced_valid) || !waiting.needed);
   assign last_ready = back_ready && first;
-  assign waiting_leave = last_valid && last_ready;
-  assign normal_ready = waiting_leave && wait_maps;
-  assign displaced_ready = waiting_leave && wait_maps;
+  assign back_fire = last_valid && last_ready;
+  assign normal_ready = back_fire && waiting.needed;
+  assign displaced_ready = back_fire && waiting.needed;
 
-  lane_out_t back_data;
+  seen_vertex_t seen_data, seen;
   edge_back #(.Clocks(VertexClocks)) i_back (
     .clk_i,
     .first_i(first),
@@ -290,16 +233,54 @@ module edge_lane
     .in_i(waiting),
     .normal_i(normal),
     .displaced_i(displaced),
-    .out_o(back_data)
+    .judged_i(judged),
+    .out_o(seen_data)
   );
-  stream_pipe #(.T(lane_out_t), .Latency(latency_pkg::edge_back(VertexClocks))) i_back_pipe (
+  stream_pipe #(.T(seen_vertex_t), .Latency(BackLatency)) i_back_pipe (
     .clk_i,
     .rst_ni,
     .in_valid_i(last_valid && first),
     .in_ready_o(back_ready),
-    .data_i(back_data),
-    .out_valid_o,
+    .data_i(seen_data),
+    .out_valid_o(seen_valid),
     .out_ready_i,
-    .out_o
+    .out_o(seen)
   );
+
+  // Its base was there long before.
+  localparam int unsigned BaseDepth = WaitingDepth + BackLatency / VertexClocks + 5;
+  base_vertex_t base;
+  logic         unused_base_valid;
+  logic [$clog2(BaseDepth+1)-1:0] unused_base_count;
+  stream_fifo #(.T(base_vertex_t), .Depth(BaseDepth)) i_base (
+    .clk_i,
+    .rst_ni,
+    .in_valid_i(made_fire),
+    .in_ready_o(base_ready),
+    .in_i(made.base),
+    .out_valid_o(unused_base_valid),
+    .out_ready_i(seen_valid && out_ready_i),
+    .out_o(base),
+    .count_o(unused_base_count)
+  );
+  assign out_valid_o = seen_valid;
+  always_comb begin
+    out_o.counts = seen.counts;
+    out_o.split = seen.split;
+    out_o.m = '{
+        transformed: 1'b1,
+        displaced: 1'b1,
+        away: seen.away,
+        screen_n: seen.screen_n,
+        behind: seen.behind,
+        w: seen.w,
+        screen: seen.screen,
+        displaced_n: seen.displaced_n,
+        displaced_p: seen.displaced_p,
+        u: base.u,
+        t: base.t,
+        n: base.n,
+        p: base.p
+    };
+  end
 endmodule

@@ -22,34 +22,42 @@ package lane_pkg;
     logic        place;
   } lane_in_t;
 
-  // After the tests that read no memory.
+  // What waits in a lane until the new vertex is made of it.
   typedef struct packed {
-    logic     [4:0]    samples;
-    logic              forward;
-    logic              ct;
-    logic              vt;
-    coordinate_t [1:0] u12;
-    lane_in_t          work;
-  } tested_t;
-
-  // After the tests that read the maps: where the new vertex comes to stand.
-  typedef struct packed {
-    weight_t  k;
-    logic     pt;
-    logic     sht;
-    logic     ct;
-    logic     vt;
-    logic [4:0] samples;
-    lane_in_t work;
-  } weighted_t;
-
-  // What the new vertex still needs, and what the last tests ask of the ends.
-  typedef struct packed {
-    logic        [1:0] zeros;
+    unit_t       [2:0] displaced_n;
     coordinate_t [1:0] u;
     unit_t       [2:0] t;
     unit_t       [2:0] n;
     position_t   [2:0] p;
+  } base_end_t;
+  typedef struct packed {
+    base_end_t   b;
+    base_end_t   a;
+    generation_t generation;
+    logic        place;
+  } base_edge_t;
+
+  // After the tests that read no memory.
+  typedef struct packed {
+    logic        [4:0] samples;
+    logic              forward;
+    logic              ct;
+    logic              vt;
+    logic              place;
+    coordinate_t [1:0] u12;
+    coordinate_t [1:0] u2;
+    coordinate_t [1:0] u1;
+  } tested_t;
+
+  // After the tests that read the maps: where the new vertex comes to stand, and whether it is needed.
+  typedef struct packed {
+    logic       needed;
+    weight_t    k;
+    base_edge_t work;
+  } weighted_t;
+
+  // What the last tests ask of the edge.
+  typedef struct packed {
     unit_t       [2:0] n2;
     unit_t       [2:0] n1;
     logic              pt;
@@ -59,7 +67,26 @@ package lane_pkg;
     logic        [4:0] samples;
     generation_t       generation;
     logic              place;
+  } judged_t;
+
+  // The new vertex on the base surface; and what of it waits for the maps.
+  typedef struct packed {
+    coordinate_t [1:0] u;
+    unit_t       [2:0] t;
+    unit_t       [2:0] n;
+    position_t   [2:0] p;
+  } base_vertex_t;
+  typedef struct packed {
+    logic               needed;
+    logic         [1:0] zeros;
+    base_vertex_t       base;
   } new_vertex_t;
+  typedef struct packed {
+    logic        needed;
+    logic  [1:0] zeros;
+    unit_t [2:0] t;
+    unit_t [2:0] n;
+  } waiting_t;
 
   // What one edge or base vertex adds to the counters of hls/edge/counters.hpp.
   typedef struct packed {
@@ -77,6 +104,19 @@ package lane_pkg;
     logic       vt;
     logic       edge_test;
   } lane_counts_t;
+
+  // All but its base.
+  typedef struct packed {
+    lane_counts_t    counts;
+    logic            split;
+    logic            away;
+    unit_t     [2:0] screen_n;
+    logic            behind;
+    depth_t          w;
+    screen_t   [1:0] screen;
+    unit_t     [2:0] displaced_n;
+    position_t [2:0] displaced_p;
+  } seen_vertex_t;
 
   typedef struct packed {
     lane_counts_t counts;

@@ -20,7 +20,7 @@ module new_vertex
   input  weighted_t   in_i,
   output new_vertex_t out_o
 );
-  edge_end_t a, b;
+  base_end_t a, b;
   assign a = in_i.work.a;
   assign b = in_i.work.b;
 
@@ -57,23 +57,24 @@ module new_vertex
     assign s1_t = s1_either;
   end
 
-  weighted_t later;
-  delay #(.T(weighted_t), .Stages(Latency)) i_later (.clk_i, .x_i(in_i), .y_o(later));
+  // A base vertex keeps its normal and tangent.
+  typedef struct packed {
+    unit_t [2:0] t;
+    unit_t [2:0] n;
+    logic        place;
+    logic        needed;
+  } own_t;
+  own_t own;
+  delay #(.T(own_t), .Stages(Latency)) i_own (
+    .clk_i, .x_i('{t: a.t, n: a.n, place: in_i.work.place, needed: in_i.needed}), .y_o(own)
+  );
 
   always_comb begin
-    out_o.p = s1_p.p;
-    out_o.u = s1_u.u;
-    out_o.n = later.work.place ? later.work.a.n : s1_n.n;
-    out_o.t = later.work.place ? later.work.a.t : s1_t.n;
-    out_o.zeros = later.work.place ? 2'd0 : 2'(s1_n.zero) + 2'(s1_t.zero);
-    out_o.n1 = later.work.a.displaced_n;
-    out_o.n2 = later.work.b.displaced_n;
-    out_o.pt = later.pt;
-    out_o.sht = later.sht;
-    out_o.ct = later.ct;
-    out_o.vt = later.vt;
-    out_o.samples = later.samples;
-    out_o.generation = later.work.generation;
-    out_o.place = later.work.place;
+    out_o.base.p = s1_p.p;
+    out_o.base.u = s1_u.u;
+    out_o.base.n = own.place ? own.n : s1_n.n;
+    out_o.base.t = own.place ? own.t : s1_t.n;
+    out_o.zeros = own.place ? 2'd0 : 2'(s1_n.zero) + 2'(s1_t.zero);
+    out_o.needed = own.needed;
   end
 endmodule
