@@ -249,10 +249,10 @@ module edge_lane
 
   // Its base was there long before.
   localparam int unsigned BaseDepth = WaitingDepth + BackLatency / VertexClocks + 5;
-  base_vertex_t base;
-  logic         unused_base_valid;
+  base_frame_t base;
+  logic        unused_base_valid;
   logic [$clog2(BaseDepth+1)-1:0] unused_base_count;
-  stream_fifo #(.T(base_vertex_t), .Depth(BaseDepth)) i_base (
+  stream_fifo #(.T(base_frame_t), .Depth(BaseDepth)) i_base (
     .clk_i,
     .rst_ni,
     .in_valid_i(made_fire),

@@ -75,11 +75,11 @@ package lane_pkg;
     unit_t       [2:0] t;
     unit_t       [2:0] n;
     position_t   [2:0] p;
-  } base_vertex_t;
+  } base_frame_t;
   typedef struct packed {
     logic               needed;
     logic         [1:0] zeros;
-    base_vertex_t       base;
+    base_frame_t        base;
   } new_vertex_t;
   typedef struct packed {
     logic        needed;
