@@ -54,7 +54,10 @@ module edge_back
   localparam int unsigned Tests = TestsOnly + PassOrTessellate;
   normal_test_out_t s0_nt, s1_nt, s2_nt;
   normal_test i_nt (
-    .clk_i, .regs_i(regs_i.normal), .in_i('{n12: s0_bump.n, n2: judged_i.n2, n1: judged_i.n1}), .out_o(s0_nt)
+    .clk_i,
+    .regs_i(regs_i.normal),
+    .in_i('{n12: s0_bump.n, n2: judged_i.n2, n1: judged_i.n1}),
+    .out_o(s0_nt)
   );
   delay #(.T(normal_test_out_t), .Stages(TestsOnly - NormalTest)) i_nt_later (
     .clk_i, .x_i(s0_nt), .y_o(s1_nt)
