@@ -7,7 +7,7 @@
 namespace relievo::test {
 void add_campaign_engines() {
   tb::add_engine_variant("narrow", tb::engine_of<Vengine_narrow, 1, 1, 1>());
-  tb::add_engine_variant("three", tb::engine_of<Vengine_three, 1, 3, 4>());
+  tb::add_engine_variant("three", tb::engine_of<Vengine_three, 1, 3, 1>());
   tb::add_engine_variant("four", tb::engine_of<Vengine_four, 1, 4, 16>());
 }
 }  // namespace relievo::test

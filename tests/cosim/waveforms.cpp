@@ -136,9 +136,9 @@ TEST(waveforms, the_save_file_names_what_is_there) {
     }
   }
   EXPECT_EQ(depth, 0);
-  for (char const* unit :
-       {"engine", "engine.i_queue", "engine.gen_lane[0].i_lane", "engine.gen_lane[0].i_lane.i_sht", "engine.gen_lane[0].i_lane.i_pt",
-        "engine.gen_lane[0].i_lane.i_normal", "in", "out", "table_req", "table_rsp", "push", "pop"})
+  for (char const* unit : {"engine", "engine.i_queue", "engine.gen_lane[0].i_lane", "engine.gen_lane[0].i_lane.i_tests.i_sht",
+                           "engine.gen_lane[0].i_lane.i_tests.i_pt", "engine.gen_lane[0].i_lane.i_normal", "in", "out", "table_req",
+                           "table_rsp", "push", "pop"})
     EXPECT_EQ(groups.count(unit), 1u) << unit;
   // Valid, ready and word of every link of the top, the words with their width.
   for (char const* link : {"in_valid_i", "in_ready_o", "out_valid_o", "out_ready_i", "table_req_valid_o[0:0]", "table_rsp_valid_i[0:0]"})
