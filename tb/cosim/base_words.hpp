@@ -25,6 +25,7 @@ inline hls::top::base_triangle base_of(hls::triangle const& t) {
 
 inline std::vector<hls::port_word<hls::top::base_triangle>> base_words(std::vector<hls::triangle> const& triangles) {
   std::vector<hls::port_word<hls::top::base_triangle>> words;
+  words.reserve(triangles.size());
   for (hls::triangle const& t : triangles) words.push_back(hls::pack(base_of(t)));
   return words;
 }

@@ -1,5 +1,5 @@
-// jacksboro: the scene of the engine's benchmarks and of its clocks: the Jacksboro terrain over 128 base triangles, about 20,000 triangles out with the
-// paper's four tests.
+// jacksboro: the scene of the engine's benchmarks and of its clocks: the Jacksboro terrain over 128 base triangles, about 20,000 triangles
+// out with the paper's four tests.
 #pragma once
 #include "tb/host/scene.hpp"
 
