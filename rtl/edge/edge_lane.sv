@@ -11,9 +11,10 @@
 //   parameter VertexClocks  that a new vertex takes, 1 or 3; with three, which edges take of the memories anyway when a test asks them,
 //             its arithmetic takes turns
 //
-//   latency 171 clocks, and those of the table's and of the map's memory; initiation interval VertexClocks where the memories deliver: an
-//   edge takes 12/ReadsPerClock clocks of the table and ceil(samples/SamplesPerClock) of the map when those tests are on. Registered:
-//   in_ready_o and all outputs; within, a join waits until all its parts have something. Nothing is dropped, everything can stall.
+//   latency 171 clocks with one a vertex, and those of the table's and of the map's memory; initiation interval VertexClocks where the
+//   memories deliver: an edge takes 12/ReadsPerClock clocks of the table and ceil(samples/SamplesPerClock) of the map when those tests are
+//   on. Registered: all outputs, in_ready_o but for an AND; within, a join waits until all its parts have something. Nothing is dropped,
+//   everything can stall.
 //
 //   in --[edge_tests]--+--[new_vertex]--+--[normal_sampler]---+--[edge_back]--+-- out
 //                      |                +--[displace_vertex]--+     |         |

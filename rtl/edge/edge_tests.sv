@@ -4,8 +4,9 @@
 //         table, quad  as in edge_lane
 //   out   weighted_o, judged_o  what the new vertex is made of, and what the tests after it need; in the order of in_*
 //
-//   latency 15 clocks, or those of the tests on the maps; initiation interval 1 where the memories deliver. in_ready_o the AND of two
-//   comparisons of registers; out_valid_o waits until all that is asked has an answer, and comes from registers. Nothing is dropped.
+//   latency 12 clocks, 9 more than those of the tests on the maps where one is asked; initiation interval 1 where the memories deliver.
+//   in_ready_o the AND of two registers; out_valid_o waits until all that is asked has an answer, and comes from registers. Nothing is
+//   dropped.
 //
 //   in --+--[edge_front]--+--[summed_height_test]--+-- out
 //        |                +--[profile_test]--------+

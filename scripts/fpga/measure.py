@@ -36,9 +36,12 @@ SKIPPED = {
 # What the engine is made with here: one lane, the paper's four cycles, a queue of one row of block RAMs: an edge takes four clocks, so that
 # a round of some 240 holds few triangles.
 PARAMETERS = {
+    "edge_back": ("Clocks=3",),
     "edge_engine": ("ReadsPerClock=3", "SamplesPerClock=1", "QueueDepth=512"),
     "edge_lane": ("ReadsPerClock=3", "SamplesPerClock=1"),
+    "edge_tests": ("ReadsPerClock=3", "SamplesPerClock=1"),
     "engine": ("Lanes=1", "ReadsPerClock=3", "SamplesPerClock=1", "QueueDepth=512"),
+    "new_vertex": ("Clocks=3",),
     "summed_height_test": ("ReadsPerClock=3",),
 }
 WHOLE = ("edge_engine", "edge_lane", "engine")
