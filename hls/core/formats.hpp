@@ -54,6 +54,9 @@ struct format {
   X(average_threshold, 20,  16, false)  /* summed height, average mode: sample */                              \
   X(profile_threshold, 20,  16, false)  /* profile: sample */                                                  \
   X(view_threshold,    24,  16, false)  /* Manhattan distance in pixels */                                     \
+  /* sweep */                                                                                                  \
+  X(grid,              16,  16, true)   /* position on the voxel grid, any axis */                             \
+  X(steps,             16,  16, false)  /* steps of an edge, and places on it */                               \
   /* bookkeeping */                                                                                            \
   X(generation,         4,   4, false)  /* generation of an edge, 0..15 */                                     \
   X(weight,             5,   5, false)  /* place of a split on its edge in sixteenths, 0..16; 8 is the middle */      \
