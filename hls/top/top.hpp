@@ -1,7 +1,7 @@
 // top: the synthesizable entry points, one .cpp each; what a host, a test or a tool's script calls.
 //
 //   One call of a unit takes one word and gives one word: the tool pipelines calls, initiation interval as the unit's header says.
-//   One call of a builder is one map, one call of the engine is one mesh: they loop over their input, and start fresh.
+//   One call of a builder is one map, one of sweep_line a triangle, one of the engine a mesh: they loop over their input, and start fresh.
 //   in, out    port<record>: one packed word a record (hls/core/packed.hpp: fields from bit 0 in their order, padded to 8 bits)
 //   regs, map  packed too, constant while the call runs
 //   memories   read-only words, one per texel, as hls/surface/map_regs.hpp says
@@ -13,6 +13,7 @@
 #include "hls/edge/engine.hpp"
 #include "hls/surface/normal_map.hpp"
 #include "hls/surface/summed_area_table.hpp"
+#include "hls/sweep/sweep_line.hpp"
 
 namespace relievo {
 namespace hls {
@@ -53,6 +54,13 @@ struct base_triangle {
   fixed<formats::index> index;
   bool last;
   RELIEVO_FIELDS(v, index, last)
+};
+
+// What the remeshing of a triangle puts out.
+struct swept_primitive {
+  primitive p;
+  bool last;
+  RELIEVO_FIELDS(p, last)
 };
 
 constexpr int queue_depth = 49;      // 3 M + 4 for the largest limit of generations, M = 15
@@ -103,6 +111,15 @@ void relievo_highlight_test(relievo::hls::port<relievo::hls::highlight_test_in>&
 void relievo_profile_test(relievo::hls::port<relievo::hls::profile_test_in>& in, relievo::hls::port_word<relievo::hls::map_regs> map,
                           relievo::hls::port_word<relievo::hls::profile_test_regs> regs, std::uint16_t const* texels,
                           relievo::hls::port<relievo::hls::profile_test_out>& out);
+
+void relievo_main_direction(relievo::hls::port<relievo::hls::main_direction_in>& in,
+                            relievo::hls::port<relievo::hls::main_direction_out>& out);
+void relievo_primary_edge(relievo::hls::port<relievo::hls::primary_edge_in>& in, relievo::hls::port<relievo::hls::primary_edge_out>& out);
+void relievo_remeshing_plane(relievo::hls::port<relievo::hls::remeshing_plane_in>& in,
+                             relievo::hls::port<relievo::hls::remeshing_plane_out>& out);
+void relievo_case_selection(relievo::hls::port<relievo::hls::case_selection_in>& in,
+                            relievo::hls::port<relievo::hls::case_selection_out>& out);
+void relievo_sweep_line(relievo::hls::port<relievo::hls::sweep_line_in>& in, relievo::hls::port<relievo::hls::top::swept_primitive>& out);
 
 void relievo_engine(relievo::hls::port<relievo::hls::top::base_triangle>& in, relievo::hls::port_word<relievo::hls::engine_regs> regs,
                     std::uint16_t const* texels, std::uint64_t const* table, std::uint64_t const* normals,

@@ -6,7 +6,7 @@
   hls/core/x.hpp        ->  tests/core/x.cpp
   hls/top/x.cpp         ->  tests/top/x.cpp
   hls/<layer>/x.hpp     ->  rtl/<layer>/x.sv and tests/<layer>/x_rtl.cpp, core too; records and what is no circuit excepted;
-                            in a tree that has circuits at all
+                            of a layer that has circuits at all: rtl/<layer> is there
 
 usage: mirror.py [--root FOLDER]
 """
@@ -28,10 +28,12 @@ NO_TEST = {
     "hls/core/synthesis.hpp": "macros alone",
     "hls/core/port.hpp": "one choice of types; every entry point's test goes through it",
     "hls/core/streaming_loop.hpp": "a marker that expands to nothing; the lint's mutants hold it",
+    "hls/core/additions_only.hpp": "a marker that expands to nothing; the lint's mutants hold it",
     "hls/surface/map_regs.hpp": "a record",
     "hls/edge/triangle.hpp": "a record",
     "hls/edge/engine_regs.hpp": "a record",
     "hls/edge/counters.hpp": "a record",
+    "hls/sweep/remeshed.hpp": "records",
 }
 # Headers of golden/ alone, and why there is no kernel of that name.
 NO_TWIN = {
@@ -54,12 +56,14 @@ NO_CIRCUIT = {
     "hls/core/port.hpp": "one choice of types",
     "hls/core/stream.hpp": "valid and ready, and the cell stream_fifo",
     "hls/core/streaming_loop.hpp": "a marker",
+    "hls/core/additions_only.hpp": "a marker",
     "hls/core/vector.hpp": "the cell multiply and sums of its products",
     "hls/surface/map_regs.hpp": "a record",
     "hls/surface/vertex.hpp": "a record; its order is rtl/surface/vertex_order.sv",
     "hls/edge/triangle.hpp": "a record",
     "hls/edge/engine_regs.hpp": "a record",
     "hls/edge/counters.hpp": "a record",
+    "hls/sweep/remeshed.hpp": "records",
 }
 
 
@@ -95,10 +99,9 @@ def main():
     tops = sources(root, "hls/top", suffixes=(".cpp",))
     for path in core + tops:
         need_test(path)
-    if (root / "rtl").is_dir():
-        for path in core + kernels:
-            if str(path) not in NO_CIRCUIT:
-                need_circuit(path)
+    for path in core + kernels:
+        if (root / "rtl" / path.parts[1]).is_dir() and str(path) not in NO_CIRCUIT:
+            need_circuit(path)
     for excepted in [*NO_TEST, *NO_TWIN, *NO_CIRCUIT]:
         if root == project_root() and not (root / excepted).is_file():
             findings.add("scripts/lint/mirror.py", "mirror", f"the exception for {excepted} names a file that is not there")

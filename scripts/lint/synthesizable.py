@@ -14,6 +14,7 @@ optimisation these are refused:
   dynamic stack           an array whose size is not constant
   dynamic initialisation  a global that needs code before the entry point
   inline assembly
+  not an addition         a multiplication, division or remainder in a function with RELIEVO_ADDITIONS_ONLY("what"), or below it
 Then scalar evolution bounds the loops, after inlining as much as that takes:
   unbounded loop          no constant largest count, or one above LARGEST_COUNT (which only says how wide the counter is);
                           a loop that holds RELIEVO_STREAMING_LOOP("why") is exempt
@@ -36,6 +37,8 @@ from source import Findings, project_root
 LARGEST_COUNT = 1 << 16
 INLINE_THRESHOLDS = (100, 1000000)
 MARKER = "relievo_streaming_loop"
+ADDITIONS_ONLY = "relievo_additions_only"
+NOT_AN_ADDITION = re.compile(r"= (mul|[su]div|[su]rem)\b")
 FLOAT = re.compile(r"\b(half|bfloat|float|double|x86_fp80|fp128|ppc_fp128)\b")
 WIDE = re.compile(r"\bi(\d+)\b")
 HEAP = re.compile(r"^(_Zn[wa]|_Zd[la]|malloc$|calloc$|realloc$|free$|aligned_alloc$|posix_memalign$|strdup$)")
@@ -61,6 +64,7 @@ class Checker:
         self.clang = tool("clang++")
         self.opt = tool("opt")
         self.streaming = []
+        self.additions_only = set()
 
     def check(self, path):
         command = [self.clang, *COMPILE.split(), *TO_IR.split(), f"-I{self.include}", str(path)]
@@ -74,6 +78,7 @@ class Checker:
         for function in module.functions.values():
             self.types(path, module, function)
             self.calls(path, module, function)
+        self.additions(path, module)
         for group in module.strongly_connected():
             where = module.place(module.functions[group[0]].head) or path
             self.findings.add(where, "recursion", " -> ".join(group))
@@ -131,8 +136,24 @@ class Checker:
             elif callee.startswith("llvm.mem"):
                 if not re.search(r", i\d+ \d+, i1 ", line):
                     self.findings.add(place, "unbounded loop", f"{callee} of a size that is not constant")
-            elif callee not in module.functions and not callee.startswith("llvm.") and callee != MARKER:
+            elif callee not in module.functions and not callee.startswith("llvm.") and callee not in (MARKER, ADDITIONS_ONLY):
                 self.findings.add(place, "unresolved external", callee)
+
+    def additions(self, path, module):
+        marked = [f for f in module.functions.values() if any(callee == ADDITIONS_ONLY for callee, _ in f.calls())]
+        self.additions_only |= {f.name for f in marked}
+        below, seen = marked, set()
+        while below:
+            function = below.pop()
+            if function.name in seen:
+                continue
+            seen.add(function.name)
+            below += [module.functions[callee] for callee, _ in function.calls() if callee in module.functions]
+            for line in function.lines:
+                operation = NOT_AN_ADDITION.search(line)
+                if operation:
+                    place = module.place(line) or path
+                    self.findings.add(place, "not an addition", f"`{operation.group(1)}` where only additions are promised")
 
     def loops(self, path, module, text):
         entries = [f.name for f in module.functions.values() if not re.search(r"\b(linkonce|internal|private|available)", f.linkage)]
@@ -242,7 +263,9 @@ def main():
         list(pool.map(checker.check, files))
     if arguments.list:
         print("\n".join(sorted(set(checker.streaming))))
-    return findings.finish(f"{len(files)} entry points, {len(set(checker.streaming))} streaming loops")
+    return findings.finish(
+        f"{len(files)} entry points, {len(set(checker.streaming))} streaming loops, {len(checker.additions_only)} functions of additions only"
+    )
 
 
 if __name__ == "__main__":

@@ -10,6 +10,7 @@
 #include <array>
 #include <cstdint>
 #include <cstdlib>
+#include <string>
 
 #include "tests/support/random.hpp"
 
@@ -17,6 +18,12 @@ namespace relievo::test {
 
 using grid_point = std::array<int, 3>;
 using grid_triangle = std::array<grid_point, 3>;
+
+inline std::string text_of(grid_triangle const& p) {
+  std::string text;
+  for (grid_point const& c : p) text += "(" + std::to_string(c[0]) + "," + std::to_string(c[1]) + "," + std::to_string(c[2]) + ")";
+  return text;
+}
 
 constexpr std::uint64_t pairs_within(int r) {
   const std::uint64_t side = static_cast<std::uint64_t>(2 * r + 1);

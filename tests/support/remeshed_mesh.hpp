@@ -32,11 +32,6 @@ inline hls::sweep_line_in corners_of(grid_triangle const& p) {
     for (std::size_t axis = 0; axis < 3; ++axis) in.p[i][axis] = hls::from_raw<formats::grid>(p[i][axis]);
   return in;
 }
-inline std::string text_of(grid_triangle const& p) {
-  std::string text;
-  for (grid_point const& c : p) text += "(" + std::to_string(c[0]) + "," + std::to_string(c[1]) + "," + std::to_string(c[2]) + ")";
-  return text;
-}
 inline std::string text_of(hls::remeshed_vertex const& v) {
   switch (raw(v.kind)) {
     case hls::corner_vertex:
@@ -88,6 +83,7 @@ class remeshed_mesh {
       rising_[e] = from[main] <= to[main];
       common_ *= std::max(n_[e], 1);
     }
+    for (std::size_t e = 0; e < 3; ++e) others_[e] = exact_int(std::max(n_[(e + 1) % 3], 1)) * std::max(n_[(e + 2) % 3], 1);
   }
 
   std::int64_t steps_of(std::size_t edge) const { return n_[edge]; }
@@ -213,7 +209,7 @@ class remeshed_mesh {
     if (raw(v.kind) == hls::corner_vertex) return {exact_int(p_[e][s_]) * common_, exact_int(p_[e][t_]) * common_};
     const grid_point &from = p_[rising_[e] ? e : (e + 1) % 3], &to = p_[rising_[e] ? (e + 1) % 3 : e];
     const auto along = [&](std::size_t axis) {
-      return (exact_int(from[axis]) * n_[e] + exact_int(raw(v.i)) * (to[axis] - from[axis])) * (common_ / n_[e]);
+      return (exact_int(from[axis]) * n_[e] + exact_int(raw(v.i)) * (to[axis] - from[axis])) * others_[e];
     };
     return {along(s_), along(t_)};
   }
@@ -223,7 +219,8 @@ class remeshed_mesh {
   std::size_t s_ = 0, t_ = 0;
   std::array<int, 3> n_{};
   std::array<bool, 3> rising_{};
-  exact_int common_ = 1;
+  exact_int common_ = 1;               // product of the steps of all edges
+  std::array<exact_int, 3> others_{};  // of the two others
   std::vector<directed> edges_, border_, alone_;
   std::vector<std::uint64_t> vertices_;
 };

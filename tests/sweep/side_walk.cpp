@@ -55,7 +55,9 @@ TEST(side_walk, the_left_column_is_the_right_one_of_the_strip_before) {
           last = walking.step(out);
           if (last || walking.column() != k) {
             // The registers are those of the next strip already; its left stands on what was the start.
-            if (!last) ASSERT_EQ(key_of(walking.walk(), hls::role_left), start) << text_of(p);
+            if (!last) {
+              ASSERT_EQ(key_of(walking.walk(), hls::role_left), start) << text_of(p);
+            }
             break;
           }
           if (key_of(walking.walk(), hls::role_left) != left.back()) left.push_back(key_of(walking.walk(), hls::role_left));
@@ -102,7 +104,9 @@ TEST(side_walk, roles_name_registers_that_hold_what_was_put_there) {
             if (remeshed_mesh::key(v) == edge) return true;
           return false;
         };
-        if (key_of(walk, hls::role_edge) != edge) ASSERT_TRUE(vertex_used()) << text_of(p) << ": an edge vertex was left out";
+        if (key_of(walk, hls::role_edge) != edge) {
+          ASSERT_TRUE(vertex_used()) << text_of(p) << ": an edge vertex was left out";
+        }
       }
     });
   }

@@ -116,9 +116,11 @@ TEST(sweep_line, triangles_of_a_7x7x7_grid_with_three_main_directions) {
   std::uint64_t found = 0;
   for (std::uint64_t number = 0; number < pairs_within(grid); ++number) {
     const grid_triangle p = pair_of(number, grid);
-    if (three_main_directions(p) && found++ % stride == 0) ASSERT_TRUE(check(p));
+    if (three_main_directions(p) && found++ % stride == 0) {
+      ASSERT_TRUE(check(p));
+    }
   }
-  EXPECT_EQ(found, 468386U);
+  EXPECT_EQ(found, 468384U);
   check.print("three main directions");
 }
 
@@ -152,12 +154,12 @@ TEST(sweep_line, the_longest_edges_of_the_format) {
 // The paper: "slightly more than two additions" a quad. Counted in the registers, a strip's and a walk's start included.
 TEST(sweep_line, vector_additions_a_quad) {
   generator g = next_generator();
-  hls::sweep_line kernel;
   std::uint64_t additions = 0, quads = 0, primitives = 0, triangles = 0;
   double most = 0;
   for (std::uint64_t round = 0; round < 20 + vector_count() / 5000; ++round) {
     const grid_triangle p = draw_triangle(g, round % 4 == 0 ? 300 : 100);
     std::uint64_t here = 0, quads_here = 0, primitives_here = 0;
+    hls::sweep_line kernel;
     kernel.start(corners_of(p));
     here += static_cast<std::uint64_t>(kernel.remeshing().walk().additions());
     bool last = false;
