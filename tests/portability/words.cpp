@@ -318,10 +318,53 @@ void engine(memories const& m, hls::map_regs const& map) {
   std::printf("\n");
 }
 
+// A small triangle anywhere, through the units of the sweep one after the other.
+void sweep(bool print) {
+  hls::sweep_line_in corners;
+  hls::primary_edge_in edges;
+  hls::remeshing_plane_in projected;
+  hls::case_selection_in cases;
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::int64_t from = static_cast<std::int64_t>(next_random() % 60000) - 30000;
+    for (int i = 0; i < 3; ++i) {
+      corners.p[i][axis] = hls::from_raw<formats::grid>(from + static_cast<std::int64_t>(next_random() % 20));
+      edges.p[i][axis] = projected.p[i][axis] = cases.p[i][axis] = corners.p[i][axis];
+    }
+  }
+  const hls::sweep_setup setup = hls::set_up(corners);
+  for (int i = 0; i < 3; ++i) {
+    hls::main_direction_in ends;
+    for (int axis = 0; axis < 3; ++axis) {
+      ends.p[0][axis] = corners.p[i][axis];
+      ends.p[1][axis] = corners.p[(i + 1) % 3][axis];
+    }
+    through<hls::main_direction_out>("main_direction", ends, relievo_main_direction);
+    edges.axis[i] = setup.main[i].axis;
+    edges.n[i] = setup.main[i].n;
+  }
+  through<hls::primary_edge_out>("primary_edge", edges, relievo_primary_edge);
+  projected.edge = hls::primary_edge(edges).edge;
+  projected.axis = edges.axis[hls::raw(projected.edge)];
+  through<hls::remeshing_plane_out>("remeshing_plane", projected, relievo_remeshing_plane);
+  cases.plane = setup.plane;
+  through<hls::case_selection_out>("case_selection", cases, relievo_case_selection);
+  if (!print) return;
+  const auto in = std::make_unique<hls::port<hls::sweep_line_in>>();
+  const auto out = std::make_unique<hls::port<hls::top::swept_primitive>>();
+  in->write(hls::pack(corners));
+  relievo_sweep_line(*in, *out);
+  for (bool last = false; !last;) {
+    const auto primitive = hls::unpack<hls::top::swept_primitive>(out->read());
+    print_record("sweep_line", primitive);
+    last = primitive.last;
+  }
+}
+
 void speak(long vectors) {
   const memories m;
   for (long i = 0; i < vectors; ++i) fixed_vectors();
   for (long i = 0; i < vectors; ++i) unit_vectors(m);
+  for (long i = 0; i < vectors; ++i) sweep(i % 16 == 0);
   for (int mode = 0; mode < 4; ++mode) {
     hls::map_regs map = random_map();
     map.wrap_u = mode % 2 != 0;

@@ -1,6 +1,6 @@
 // remeshed_mesh: is what the sweep made of a triangle a mesh of that triangle?
 //
-//   corners_of(p)         a triangle of plain integers as the words of a kernel; remesh(kernel, p, list) walks it
+//   corners_of(p)         a triangle of plain integers as the words of a kernel; remesh(kernel, p, list, most) walks it
 //   remeshed_mesh m(p)    the triangle, with its edges' steps and the plane that the kernel's set-up chose
 //     m.check(list)       testing::AssertionResult, exact, vertices compared by identity:
 //       every projected triangle turns as (p0, p1, p2) does, none is empty unless the corners lie on one line, the areas add up;
@@ -53,12 +53,12 @@ inline std::string text_of(primitive_list const& list) {
   return text;
 }
 
-// Into a list that keeps its memory from triangle to triangle.
-inline void remesh(hls::sweep_line& kernel, grid_triangle const& p, primitive_list& list) {
+// Into a list that keeps its memory from triangle to triangle. A walk that does not end is cut off beyond its bound.
+inline void remesh(hls::sweep_line& kernel, grid_triangle const& p, primitive_list& list, std::int64_t most) {
   list.clear();
   kernel.start(corners_of(p));
   bool last = false;
-  while (!last) {
+  while (!last && static_cast<std::int64_t>(list.size()) <= most) {
     list.emplace_back();
     last = kernel.step(list.back());
   }

@@ -26,8 +26,8 @@ testing::AssertionResult equals_golden(primitive_list const& list, grid_triangle
 class swept {
  public:
   testing::AssertionResult operator()(grid_triangle const& p) {
-    remesh(kernel_, p, list_);
     remeshed_mesh mesh(p);
+    remesh(kernel_, p, list_, mesh.most_primitives());
     const auto whole = mesh.check(list_);
     if (!whole) return whole;
     mesh.count_steps(list_, steps_);
@@ -163,7 +163,8 @@ TEST(sweep_line, vector_additions_a_quad) {
     kernel.start(corners_of(p));
     here += static_cast<std::uint64_t>(kernel.remeshing().walk().additions());
     bool last = false;
-    while (!last) {
+    const std::uint64_t most = static_cast<std::uint64_t>(remeshed_mesh(p).most_primitives());
+    while (!last && primitives_here <= most) {
       hls::primitive out;
       last = kernel.step(out);
       here += static_cast<std::uint64_t>(kernel.remeshing().walk().additions());

@@ -15,7 +15,7 @@ TEST(top_sweep_line, equals_the_unit) {
   primitive_list list;
   for (std::uint64_t round = 0; round < vector_count() / 200; ++round) {
     const grid_triangle p = round == 0 ? grid_triangle{} : draw_triangle(g, round % 2 == 0 ? 4 : 30);
-    remesh(kernel, p, list);
+    remesh(kernel, p, list, remeshed_mesh(p).most_primitives());
     in->write(hls::pack(corners_of(p)));
     relievo_sweep_line(*in, *out);
     ASSERT_TRUE(in->empty());
