@@ -12,9 +12,11 @@
 #include "golden/edge/engine_regs.hpp"
 #include "golden/edge/get_triangle.hpp"
 #include "golden/surface/normal_map.hpp"
+#include "golden/sweep/sweep_line.hpp"
 #include "hls/core/normalize.hpp"
 #include "hls/edge/engine.hpp"
 #include "hls/surface/normal_map.hpp"
+#include "hls/sweep/sweep_line.hpp"
 #include "tb/model/words.hpp"
 
 namespace relievo::test {
@@ -155,6 +157,22 @@ TEST(mirror, records_of_the_edge_engine) {
   RELIEVO_EXPECT_MIRRORED(view_test_in);
   RELIEVO_EXPECT_MIRRORED(view_test_regs);
   RELIEVO_EXPECT_MIRRORED(view_test_out);
+}
+
+TEST(mirror, records_of_the_sweep_engine) {
+  RELIEVO_EXPECT_MIRRORED(remeshed_vertex);
+  RELIEVO_EXPECT_MIRRORED(primitive);
+  RELIEVO_EXPECT_MIRRORED(main_direction_in);
+  RELIEVO_EXPECT_MIRRORED(main_direction_out);
+  RELIEVO_EXPECT_MIRRORED(primary_edge_in);
+  RELIEVO_EXPECT_MIRRORED(primary_edge_out);
+  RELIEVO_EXPECT_MIRRORED(remeshing_plane_in);
+  RELIEVO_EXPECT_MIRRORED(remeshing_plane_out);
+  RELIEVO_EXPECT_MIRRORED(case_selection_in);
+  RELIEVO_EXPECT_MIRRORED(case_selection_out);
+  RELIEVO_EXPECT_MIRRORED(sub_triangle);
+  RELIEVO_EXPECT_MIRRORED(sub_triangle_remeshing_in);
+  RELIEVO_EXPECT_MIRRORED(sweep_line_in);
 }
 
 // What the test is there to find: two fields swapped, one renamed, one missing, one longer, and the same within a record.

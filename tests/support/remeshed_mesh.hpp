@@ -64,6 +64,41 @@ inline void remesh(hls::sweep_line& kernel, grid_triangle const& p, primitive_li
   }
 }
 
+// Numbers keys in the order in which they come.
+class key_table {
+ public:
+  static constexpr std::size_t none = ~std::size_t{0};
+  void clear(std::size_t most) {
+    mask_ = 15;
+    while (mask_ < 2 * most) mask_ = 2 * mask_ + 1;
+    if (slot_.size() <= mask_) slot_.resize(mask_ + 1);
+    std::fill_n(slot_.begin(), mask_ + 1, 0u);
+    key_.clear();
+  }
+  std::size_t find(std::uint64_t key) const {
+    const std::uint32_t slot = slot_[place(key)];
+    return slot == 0 ? none : slot - 1;
+  }
+  std::size_t number_of(std::uint64_t key) {
+    std::uint32_t& slot = slot_[place(key)];
+    if (slot == 0) {
+      key_.push_back(key);
+      slot = static_cast<std::uint32_t>(key_.size());
+    }
+    return slot - 1;
+  }
+
+ private:
+  std::size_t place(std::uint64_t key) const {
+    std::size_t at = static_cast<std::size_t>((key * 0x9e3779b97f4a7c15u) >> 32) & mask_;
+    while (slot_[at] != 0 && key_[slot_[at] - 1] != key) at = (at + 1) & mask_;
+    return at;
+  }
+  std::vector<std::uint32_t> slot_;  // 1 + the number; 0 is free
+  std::vector<std::uint64_t> key_;
+  std::size_t mask_ = 15;
+};
+
 struct step_histogram {
   // Squared length of a step between neighbours: in space along an edge (times n squared), and in the plane between grid vertices.
   double longest_on_an_edge = 0;
@@ -100,49 +135,65 @@ class remeshed_mesh {
     return std::max<std::int64_t>(bound, 1);
   }
 
-  testing::AssertionResult check(primitive_list const& list) {
-    edges_.clear();
-    vertices_.clear();
+  testing::AssertionResult check(primitive_list const& list) const {
+    static key_table vertices, edges;   // they keep their memory from triangle to triangle
+    static std::vector<point> places;   // of the vertices, by number
+    static std::vector<bool> has_twin;  // of the edges, by number
+    vertices.clear(4 * list.size());
+    edges.clear(6 * list.size());
+    places.clear();
+    has_twin.clear();
     const std::int64_t whole = determinant();
     exact_int area = 0;
     std::size_t faces = 0;
-    const auto face = [&](hls::remeshed_vertex const& a, hls::remeshed_vertex const& b, hls::remeshed_vertex const& c) {
-      const point pa = place(a), pb = place(b), pc = place(c);
+    bool twice_used = false;
+    const auto number_of = [&](hls::remeshed_vertex const& v) {
+      const std::size_t number = vertices.number_of(key(v));
+      if (number == places.size()) places.push_back(place(v));
+      return number;
+    };
+    const auto use = [&](std::size_t from, std::size_t to) {
+      const std::size_t edge = edges.number_of(from << 32 | to);
+      if (edge < has_twin.size()) twice_used = true;
+      has_twin.resize(std::max(has_twin.size(), edge + 1));
+      const std::size_t twin = edges.find(to << 32 | from);
+      if (twin != key_table::none) has_twin[edge] = has_twin[twin] = true;
+    };
+    const auto face = [&](std::size_t a, std::size_t b, std::size_t c) {
+      const point &pa = places[a], &pb = places[b], &pc = places[c];
       const exact_int twice = (pb.s - pa.s) * (pc.t - pa.t) - (pb.t - pa.t) * (pc.s - pa.s);
       area += twice;
       ++faces;
-      const std::uint64_t ka = key(a), kb = key(b), kc = key(c);
-      edges_.insert(edges_.end(), {{ka, kb}, {kb, kc}, {kc, ka}});
-      vertices_.insert(vertices_.end(), {ka, kb, kc});
+      use(a, b);
+      use(b, c);
+      use(c, a);
       return whole == 0 ? twice == 0 : (whole > 0 ? twice > 0 : twice < 0);
     };
+    const bool grid_expected = std::abs(whole) > steps_of(primary());
     for (hls::primitive const& q : list) {
-      for (int i = 0; i < (q.quad ? 4 : 3); ++i)
+      std::array<std::size_t, 4> v{};
+      for (std::size_t i = 0; i < (q.quad ? 4 : 3); ++i) {
         if (!is_vertex(q.v[i])) return fails(list) << "no vertex of this triangle: " << text_of(q);
-      const bool good = q.quad ? face(q.v[0], q.v[1], q.v[3]) & face(q.v[1], q.v[2], q.v[3]) : face(q.v[0], q.v[1], q.v[2]);
+        if (!grid_expected && raw(q.v[i].kind) == hls::grid_vertex) return fails(list) << "a grid vertex with |det| <= n: " << text_of(q);
+        v[i] = number_of(q.v[i]);
+      }
+      const bool good = q.quad ? face(v[0], v[1], v[3]) & face(v[1], v[2], v[3]) : face(v[0], v[1], v[2]);
       if (!good) return fails(list) << "flipped or empty: " << text_of(q);
       if (!q.quad && key(q.v[3]) != 0) return fails(list) << "a triangle with a fourth vertex: " << text_of(q);
     }
-    if (std::abs(whole) <= steps_of(primary()))
-      for (hls::primitive const& q : list)
-        for (hls::remeshed_vertex const& v : q.v)
-          if (raw(v.kind) == hls::grid_vertex) return fails(list) << "a grid vertex with |det| <= n";
     if (area != exact_int(whole) * common_ * common_) return fails(list) << "the areas do not add up";
+    if (twice_used) return fails(list) << "an edge is used twice in one direction";
 
-    std::sort(vertices_.begin(), vertices_.end());
-    const std::size_t vertices = static_cast<std::size_t>(std::unique(vertices_.begin(), vertices_.end()) - vertices_.begin());
-    std::sort(edges_.begin(), edges_.end());
-    if (std::adjacent_find(edges_.begin(), edges_.end()) != edges_.end()) return fails(list) << "an edge is used twice in one direction";
-    border_.clear();
+    std::size_t border = 0;
     for (std::size_t e = 0; e < 3; ++e)
-      for (int i = 0; i < std::max(n_[e], 1); ++i) border_.emplace_back(key_on_edge(e, i), key_on_edge(e, i + 1));
-    std::sort(border_.begin(), border_.end());
-    alone_.clear();
-    for (directed const& edge : edges_)
-      if (!std::binary_search(edges_.begin(), edges_.end(), directed(edge.second, edge.first))) alone_.push_back(edge);
-    if (alone_ != border_) return fails(list) << "the border is not the subdivided edges";
-    const std::size_t whole_edges = (edges_.size() + border_.size()) / 2;
-    if (vertices + faces != whole_edges + 1) return fails(list) << "V - E + F is not 1";
+      for (int i = 0; i < std::max(n_[e], 1); ++i, ++border) {
+        const std::size_t from = vertices.find(key_on_edge(e, i)), to = vertices.find(key_on_edge(e, i + 1));
+        const std::size_t edge = from == key_table::none || to == key_table::none ? key_table::none : edges.find(from << 32 | to);
+        if (edge == key_table::none || has_twin[edge]) return fails(list) << "edge " << e << " has no border at step " << i;
+      }
+    const auto alone = static_cast<std::size_t>(std::count(has_twin.begin(), has_twin.end(), false));
+    if (alone != border) return fails(list) << "a border within";
+    if (places.size() + faces != (has_twin.size() + border) / 2 + 1) return fails(list) << "V - E + F is not 1";
     if (static_cast<std::int64_t>(list.size()) > most_primitives()) return fails(list) << "more than " << most_primitives() << " clocks";
     return testing::AssertionSuccess();
   }
@@ -168,14 +219,13 @@ class remeshed_mesh {
       for (int i = 0; i < (q.quad ? 4 : 3); ++i) step(q.v[i], q.v[(i + 1) % (q.quad ? 4 : 3)]);
   }
 
-  // Vertices by identity. Corners first, from 1 on, so that 0 is none.
+  // Vertices by identity.
   static std::uint64_t key(hls::remeshed_vertex const& v) {
     const auto word = [](std::int64_t x) { return static_cast<std::uint64_t>(x) & 0xffff; };
     return word(raw(v.kind)) << 50 | word(raw(v.number)) << 48 | word(raw(v.i)) << 32 | word(raw(v.s)) << 16 | word(raw(v.t));
   }
 
  private:
-  using directed = std::pair<std::uint64_t, std::uint64_t>;
   struct point {
     exact_int s, t;
   };
@@ -221,8 +271,6 @@ class remeshed_mesh {
   std::array<bool, 3> rising_{};
   exact_int common_ = 1;               // product of the steps of all edges
   std::array<exact_int, 3> others_{};  // of the two others
-  std::vector<directed> edges_, border_, alone_;
-  std::vector<std::uint64_t> vertices_;
 };
 
 }  // namespace relievo::test

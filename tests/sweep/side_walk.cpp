@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "golden/sweep/sub_triangle_remeshing.hpp"
 #include "tests/support/remeshed_mesh.hpp"
 #include "tests/support/vectors.hpp"
 
@@ -13,16 +14,11 @@ namespace {
 
 using key_list = std::vector<std::uint64_t>;
 
-// One triangle's strips: what stood on the left and on the right.
-struct strip {
-  std::int32_t k;
-  key_list left, right;
-};
-
 std::uint64_t key_of(hls::side_walk const& walk, hls::walk_role role) { return remeshed_mesh::key(walk.registers[role]); }
 
+// observe(kernel, in) for each sub-triangle, started.
 template <class Observer>
-void for_strips(hls::sub_triangle_remeshing& kernel, grid_triangle const& p, Observer observe) {
+void for_sub_triangles(hls::sub_triangle_remeshing& kernel, grid_triangle const& p, Observer observe) {
   const hls::sweep_line_in corners = corners_of(p);
   const hls::sweep_setup setup = hls::set_up(corners);
   hls::sub_triangle_remeshing_in in;
@@ -33,7 +29,60 @@ void for_strips(hls::sub_triangle_remeshing& kernel, grid_triangle const& p, Obs
     if (!sub.valid) continue;
     in.sub = sub;
     kernel.start(in);
-    observe(kernel);
+    observe(kernel, in);
+  }
+}
+
+// Strip by strip: the primitives, and where the side edge stands afterwards.
+testing::AssertionResult strips_equal_golden(hls::sub_triangle_remeshing& walking, hls::sub_triangle_remeshing_in const& words) {
+  const auto in = as_golden<golden::sub_triangle_remeshing_in>(words);
+  golden::sub_triangle const& sub = in.sub;
+  const golden::sweep_frame frame = golden::frame_of(in.plane, sub.backward);
+  const int start = sub.backward ? in.plane.b : in.plane.a, end = sub.backward ? in.plane.a : in.plane.b;
+  const auto k0 = static_cast<std::int64_t>(sub.k0), k1 = static_cast<std::int64_t>(sub.k1);
+  const std::vector<golden::place> primary = golden::edge_places(in, frame, start, end);
+  std::vector<golden::place> side = golden::edge_places(in, frame, sub.from, sub.to), end_edge;
+  for (golden::place& place : side) place.on_last_edge = true;
+  if (sub.corner_list) {
+    const std::vector<golden::place> vertical = golden::edge_places(in, frame, start, sub.from);
+    side.insert(side.begin(), vertical.begin(), vertical.end() - 1);
+  }
+  for (golden::place& place : side) place.column = std::min(place.column, k1 - 1);
+  side.back().column = k1;
+  if (sub.ends_on_edge) end_edge = golden::edge_places(in, frame, sub.end_corner, sub.to);
+
+  std::size_t at = sub.starts_at_corner ? 1 : 0;
+  for (std::int64_t k = k0; k < k1; ++k) {
+    const bool first = k == k0, last = k + 1 == k1;
+    std::vector<golden::primitive> right;
+    const auto foot = [&](std::int64_t column) { return primary[static_cast<std::size_t>(column - primary.front().column)]; };
+    at = golden::side_walk(frame,
+                           {k, foot(k), foot(k + 1), first && sub.starts_at_corner, last && sub.pointed, last && sub.ends_on_edge, at},
+                           side, end_edge, right);
+    for (std::size_t i = 0; i < right.size(); ++i) {
+      if (walking.column() != k) return testing::AssertionFailure() << "column " << k << " is left after " << i << " primitives";
+      hls::primitive out;
+      const bool done = walking.step(out);
+      const auto result = equal_words(out, right[i]);
+      if (!result) return testing::AssertionFailure() << "column " << k << " primitive " << i << ": " << result.message();
+      if (done != (last && i + 1 == right.size())) return testing::AssertionFailure() << "column " << k << ": the end is elsewhere";
+    }
+    if (walking.column() != k + 1) return testing::AssertionFailure() << "column " << k << " is not left";
+    const auto edge = equal_words(walking.walk().registers[hls::role_edge], side[at].vertex);
+    if (!edge) return testing::AssertionFailure() << "after column " << k << " E is another: " << edge.message();
+  }
+  return testing::AssertionSuccess();
+}
+
+TEST(side_walk, hls_equals_golden_strip_by_strip) {
+  hls::sub_triangle_remeshing kernel;
+  generator g = next_generator();
+  for (std::uint64_t round = 0; round < vector_count() / 50; ++round) {
+    const grid_triangle p = round % 8 == 0 ? draw_sliver(g, 200) : draw_triangle(g, round % 8 == 1 ? 30 : 8);
+    for_sub_triangles(kernel, p, [&](hls::sub_triangle_remeshing& walking, hls::sub_triangle_remeshing_in const& in) {
+      ASSERT_TRUE(strips_equal_golden(walking, in)) << text_of(p);
+    });
+    if (testing::Test::HasFatalFailure()) return;
   }
 }
 
@@ -43,7 +92,7 @@ TEST(side_walk, the_left_column_is_the_right_one_of_the_strip_before) {
   std::uint64_t columns = 0;
   for (std::uint64_t round = 0; round < vector_count() / 50; ++round) {
     const grid_triangle p = draw_triangle(g, 12);
-    for_strips(kernel, p, [&](hls::sub_triangle_remeshing& walking) {
+    for_sub_triangles(kernel, p, [&](hls::sub_triangle_remeshing& walking, hls::sub_triangle_remeshing_in const&) {
       key_list before;
       bool last = false;
       while (!last) {
@@ -78,7 +127,7 @@ TEST(side_walk, roles_name_registers_that_hold_what_was_put_there) {
   generator g = next_generator();
   for (std::uint64_t round = 0; round < vector_count() / 100; ++round) {
     const grid_triangle p = draw_triangle(g, 12);
-    for_strips(kernel, p, [&](hls::sub_triangle_remeshing& walking) {
+    for_sub_triangles(kernel, p, [&](hls::sub_triangle_remeshing& walking, hls::sub_triangle_remeshing_in const&) {
       bool last = false;
       while (!last) {
         hls::side_walk const& walk = walking.walk();
@@ -119,7 +168,7 @@ TEST(side_walk, additions_a_clock) {
   std::array<std::uint64_t, 8> histogram{};
   for (std::uint64_t round = 0; round < vector_count() / 100; ++round) {
     const grid_triangle p = draw_triangle(g, 20);
-    for_strips(kernel, p, [&](hls::sub_triangle_remeshing& walking) {
+    for_sub_triangles(kernel, p, [&](hls::sub_triangle_remeshing& walking, hls::sub_triangle_remeshing_in const&) {
       bool last = false;
       while (!last) {
         const std::int32_t k = walking.column();

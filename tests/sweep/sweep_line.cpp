@@ -12,11 +12,21 @@
 namespace relievo::test {
 namespace {
 
+bool same(hls::remeshed_vertex const& a, golden::remeshed_vertex const& b) {
+  const auto is = [](std::int64_t word, double value) { return static_cast<double>(word) == value; };
+  return raw(a.kind) == b.kind && raw(a.number) == b.number && is(raw(a.i), b.i) && is(raw(a.s), b.s) && is(raw(a.t), b.t);
+}
+// Ten million primitives: equal_words only says where they differ.
+bool same(hls::primitive const& a, golden::primitive const& b) {
+  return a.quad == b.quad && same(a.v[0], b.v[0]) && same(a.v[1], b.v[1]) && same(a.v[2], b.v[2]) && same(a.v[3], b.v[3]);
+}
+
 testing::AssertionResult equals_golden(primitive_list const& list, grid_triangle const& p) {
   const std::vector<golden::primitive> right = golden::sweep_line(as_golden<golden::sweep_line_in>(corners_of(p)));
   for (std::size_t i = 0; i < list.size() && i < right.size(); ++i) {
+    if (same(list[i], right[i])) continue;
     const auto result = equal_words(list[i], right[i]);
-    if (!result) return testing::AssertionFailure() << text_of(p) << " primitive " << i << ": " << result.message() << text_of(list);
+    return testing::AssertionFailure() << text_of(p) << " primitive " << i << ": " << result.message() << text_of(list);
   }
   if (list.size() == right.size()) return testing::AssertionSuccess();
   return testing::AssertionFailure() << text_of(p) << ": " << list.size() << " primitives, golden " << right.size() << text_of(list);
@@ -163,8 +173,8 @@ TEST(sweep_line, vector_additions_a_quad) {
     kernel.start(corners_of(p));
     here += static_cast<std::uint64_t>(kernel.remeshing().walk().additions());
     bool last = false;
-    const std::uint64_t most = static_cast<std::uint64_t>(remeshed_mesh(p).most_primitives());
-    while (!last && primitives_here <= most) {
+    const std::uint64_t bound = static_cast<std::uint64_t>(remeshed_mesh(p).most_primitives());
+    while (!last && primitives_here <= bound) {
       hls::primitive out;
       last = kernel.step(out);
       here += static_cast<std::uint64_t>(kernel.remeshing().walk().additions());
