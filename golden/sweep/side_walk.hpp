@@ -11,9 +11,11 @@
 //     the left one     where the side vertex after it has the same row (a double step: the left row stays)
 //     the only one     where one list is used up
 //     the left one     where its row is no higher than the left row
-//     the right one    of a vertical end edge, where its row is no higher than the right row
 //     the lower one's  next where the rows differ, and both, as a quad, where they are equal
 //   and a pointed one closes with a fan from the last left place over the rest of the side vertices to the corner.
+//
+// A vertical side edge needs no rule of its own: its part of det is that of its height, so the plane of the larger area has its
+// main direction as t, ties included, and each of its vertices is a row above the one before.
 //
 //   in   strip   k; the feet P_k and P_(k+1); where the side edge stands; flags
 //   out  primitives, appended; and where the side edge stands: at the first vertex right of column k
@@ -79,7 +81,7 @@ inline std::vector<place> grid_column(sweep_frame const& frame, place const& foo
 
 // What joins the two columns above their feet. The left foot is moved to the last left place.
 inline void join(sweep_frame const& frame, place& l, std::vector<place> const& left, place r, std::vector<place> const& right,
-                 bool right_on_edge, std::vector<primitive>& out) {
+                 std::vector<primitive>& out) {
   std::int64_t rl = l.row, rr = r.row;
   std::size_t i = 0, j = 0;
   while (i < left.size() || j < right.size()) {
@@ -88,9 +90,9 @@ inline void join(sweep_frame const& frame, place& l, std::vector<place> const& l
     if (double_step) {
       take_right = false;
     } else if (take_left && take_right) {
-      const bool left_level = left[i].row <= rl, right_level = right_on_edge && right[j].row <= rr;
-      take_left = left_level || (!right_level && rl <= rr);
-      take_right = !left_level && (right_level || rl >= rr);
+      const bool left_level = left[i].row <= rl;
+      take_left = left_level || rl <= rr;
+      take_right = !left_level && rl >= rr;
     }
     if (take_left && take_right)
       out.push_back(quad_of(frame, l, r, right[j], left[i]));
@@ -129,7 +131,7 @@ inline std::size_t side_walk(sweep_frame const& frame, side_walk_in const& in, s
   }
 
   place l = in.left;
-  detail::join(frame, l, left, in.right, right, in.ends_on_edge, out);
+  detail::join(frame, l, left, in.right, right, out);
   if (in.pointed)
     for (; next + 1 < side.size(); ++next) out.push_back(detail::triangle_of(frame, l, side[next + 1], side[next]));
   return next;
