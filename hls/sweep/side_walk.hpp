@@ -3,11 +3,12 @@
 //   - A grid vertex stands one row above the one below it. On a side it is dragged to the next vertex of the side edge, E, when E has
 //     that column and at most the next row, or anyway once the side stands on the edge: then the edge is all there is to walk.
 //   - The left takes an edge vertex and moves E on; the right looks at what the left leaves and takes it without moving E on.
-//   - Both sides can go on: only the left when E is not above its row, only the right when the vertical edge is not above its row, else
-//     the lower one, else both: a quad (L, R, TR, TL) with the diagonal R-TL.
+//   - Both sides can go on: only the left when E is not above its row, else the lower one, else both: a quad (L, R, TR, TL) with the
+//     diagonal R-TL.
 //   - E and the next edge vertex En on one grid point (three main directions, small areas): the double step (L, R, E), the row stays.
 //   - In the strip that points to a corner R stands there; from E on the last edge on: the end fan (L, En, E), L stays.
-//   - On a vertical side edge at the end R walks that edge's vertices instead of the grid.
+//   - On a vertical side edge at the end R walks that edge's vertices instead of the grid. It is a row from one to the next: with such an
+//     edge det is n times its height, so the plane of the larger area has its main direction as t.
 //   Row: that of the grid point from which a vertex was dragged. Rows and columns of edge vertices are floor(x + 1/2), by a DDA:
 //   e += 2 delta; when e leaves [0, 2n) the row steps and e comes back by 2n. It ends exactly on the corner, and goes back as it came.
 //
@@ -194,11 +195,9 @@ class side_walk {
     bool edge_there = upright_ || (column(seen) == k_ + 1 && seen.row <= right_row_ + 1);
     bool left = edge_here || !left_on_, right = !right_on_;
     if (left && right) {
-      const bool right_waits = edge_here && edge.row <= left_row_;
-      const bool left_waits = upright_ && upright.row <= right_row_;
-      if (right_waits || (!left_waits && left_row_ < right_row_))
+      if ((edge_here && edge.row <= left_row_) || left_row_ < right_row_)
         right = false;
-      else if (left_waits || left_row_ > right_row_)
+      else if (left_row_ > right_row_)
         left = false;
     }
     // The left does not take E after all, which stands in its column: nothing there for the right.
