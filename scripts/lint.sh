@@ -8,7 +8,7 @@
 #   synthesizable   every entry point is a circuit                [FILE]...
 #   verible         style of the circuits                         [FILE]...
 #   verilator       every circuit alone, all warnings             [FILE]...
-#   tidy            clang-tidy, as .clang-tidy says               [FILE]...; else hls/, golden/, tb/ as ${RELIEVO_BUILD:-build} compiles them
+#   tidy            clang-tidy, as .clang-tidy says               [FILE]...; else ${RELIEVO_TIDY:-hls tb} as ${RELIEVO_BUILD:-build} compiles them
 # shellcheck disable=SC2317  # the gates are called by name
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -49,7 +49,9 @@ gate_tidy() {
   if (($#)); then
     clang-tidy --quiet "$@" -- -std=c++17 -I. 2>/dev/null
   else
-    python3 scripts/lint/tidy.py "${RELIEVO_BUILD:-build}"
+    local folders
+    read -ra folders <<<"${RELIEVO_TIDY:-hls tb}"
+    python3 scripts/lint/tidy.py "${RELIEVO_BUILD:-build}" "${folders[@]}"
   fi
 }
 

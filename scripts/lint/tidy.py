@@ -6,7 +6,7 @@ a folder are examined together, as one unit that includes them; a source that do
 of one name) begins or joins another. Units that came out clean and have not changed since are not examined again: their stamps
 lie in the build folder. The tests' own sources are left out: most of that time would go into GoogleTest.
 
-usage: tidy.py BUILD_FOLDER
+usage: tidy.py BUILD_FOLDER [FOLDER]...     of the project, those below it too; hls and tb when none is named
 """
 
 import hashlib
@@ -96,13 +96,14 @@ def examine(unit, flags, stamps, settings):
 def main():
     root = project_root()
     build = Path(sys.argv[1]).resolve()
+    wanted = [root / folder for folder in sys.argv[2:] or ("hls", "tb")]
     commands = build / "compile_commands.json"
     if not commands.is_file():
         subprocess.run(["cmake", "-S", root, "-B", build, "-G", "Ninja"], check=True, stdout=subprocess.DEVNULL)
     folders = {}
     for entry in json.loads(commands.read_text()):
         path = Path(entry["file"])
-        if path.is_relative_to(root) and path.relative_to(root).parts[0] in ("hls", "tb"):
+        if any(path.is_relative_to(folder) for folder in wanted):
             folders.setdefault(str(path.relative_to(root).parent), {})[str(path)] = entry["command"]
 
     work = build / "clang-tidy"

@@ -35,9 +35,9 @@ tb::cosim_settings rough() {
   return s;
 }
 
-void equals_hls(tb::scene const& sc) {
+void equals_hls(tb::scene const& sc, tb::cosim_settings const& settings = rough()) {
   const tb::run_result hls = tb::run_model("hls", sc);
-  const cosim_run rtl = run_circuit(sc, rough());
+  const cosim_run rtl = run_circuit(sc, settings);
   const tb::comparison c = tb::compare_runs("hls", hls, "rtl", rtl.run, false);
   EXPECT_EQ(c.words_different, 0u) << c.first_difference;
   for (std::string const& line : c.counters_different) ADD_FAILURE() << line;
@@ -45,6 +45,12 @@ void equals_hls(tb::scene const& sc) {
 }
 
 TEST(small_engine, runs_a_mesh) { equals_hls(few()); }
+
+TEST(small_engine, runs_a_mesh_into_a_slow_sink) {
+  tb::cosim_settings slow = rough();
+  slow.stall = 95;
+  equals_hls(few(), slow);
+}
 
 TEST(small_engine, runs_a_mesh_that_fills_its_queue) { equals_hls(small_scene("sine:32,16", 40, 3)); }
 
