@@ -17,8 +17,8 @@ tested=$SECONDS
 # A part of the regression was asked for: the rest is left out.
 (($# == 0)) || exit "$status"
 
-# Half of the scenes again under AddressSanitizer and UndefinedBehaviorSanitizer, and the readers under libFuzzer with both (the other half
-# and the units: regress.sh).
+# Half of the scenes again under AddressSanitizer and UndefinedBehaviorSanitizer, and the readers under libFuzzer with both (all
+# of them and the units: regress.sh).
 "$root/scripts/build.sh" fuzz fuzz_targets system_tests
 shards=()
 for shard in 0 1; do
