@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Configures and builds: scripts/build.sh [preset [target]...]
-#   presets: release (default, build/), debug, sanitize, fuzz (build-<preset>/); no target: everything
+#   presets: release (default, build/), debug, sanitize, fuzz, coverage, campaign, trace (build-<preset>/); no target: everything
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 preset=${1:-release}
