@@ -9,8 +9,9 @@
 //   parameter  Clocks  that a vertex takes, 1 or 3: see the units
 //   in         first_i with three clocks: a vertex comes in; the next every three clocks, or later by a multiple of three
 //
-//   latency Bump + the longer of (HighlightTest, PassOrTessellate) and (TransformNormal), or Transform: see latency_pkg; initiation
-//   interval Clocks
+//   latency 37, or 42 with three clocks: that of bump, then of the tests and pass_or_tessellate or of transform_normal, whichever is longer,
+//   and no less than that of transform (latency_pkg); initiation interval Clocks; a pure pipeline, no reset on data; registered: every
+//   stage; out_o is a few gates behind the last
 //
 //   m --[bump]-- N' --+--[normal_test, highlight_test]--[pass_or_tessellate]-- split
 //                     +--[transform_normal]-- N'_s

@@ -9,7 +9,8 @@
 //   in    valid_i with sample_i[SamplesPerClock], group_i, levels_i, forward_i, last_i (the edge's last group); order as in place_multiple
 //   out   valid_o with out_o, once an edge
 //
-//   latency 9 + log2 SamplesPerClock from the last group, initiation interval 1 group
+//   latency 9 + log2 SamplesPerClock from the last group, initiation interval 1 group; registered: every stage and level of the tree, valid_o
+//   and the best place, a choice behind which is out_o.k
 //
 //   D --[s0 D_0, rise]--[s1 step; D - D_0]--[s2 x 3]--[s4 k rise]--[s5 difference]--[s6 magnitude]--[s7 key]--[tree]--[best]
 module profile_error

@@ -5,6 +5,7 @@
   contract: FILE    the kernel whose words it gives; asked of a module that is the twin of hls/<tree>/<module>.hpp
   latency N         in clocks, or of what it depends on
   initiation interval
+  registered        which paths are; or `as FILE.sv`, whose header says it
 
 usage: headers.py [--root FOLDER]
 """
@@ -17,6 +18,8 @@ from pathlib import Path
 from circuit import header, modules, packages
 from source import Findings, project_root
 
+REGISTERED = re.compile(r"\bregister(?:s|ed)?\b|\bcombinational\b", re.IGNORECASE)
+AS = re.compile(r"\bas (?:[\w/]+/)?(\w+)\.sv\b")
 CONTRACT = re.compile(r"contract: (hls/[\w/]+\.hpp)")
 
 
@@ -43,6 +46,9 @@ def main():
             findings.add(path, "latency", "does not say its latency")
         if not re.search(r"\binitiation intervals?\b", text, re.IGNORECASE):
             findings.add(path, "initiation interval", "does not say its initiation interval")
+        said = [text] + [" ".join(header(other)[1:]) for name in AS.findall(text) for other in (root / "rtl").glob(f"*/{name}.sv")]
+        if not any(map(REGISTERED.search, said)):
+            findings.add(path, "registered", "does not say which paths are registered")
     return findings.finish(f"{len(modules(root))} modules")
 
 

@@ -1,5 +1,6 @@
 // rejected: header, latency, initiation interval
 // bump: tilts a normal.
+//   registered: y_o
 module bump (
   input  logic clk_i,
   input  logic x_i,

@@ -1,6 +1,6 @@
 // rejected: header, contract
 // bump: tilts a normal.        contract: hls/surface/displace.hpp
-//   latency 1, initiation interval 1
+//   latency 1, initiation interval 1; registered: y_o
 module bump (
   input  logic clk_i,
   input  logic x_i,
