@@ -81,7 +81,7 @@ module displace_vertex
   displace_out_t s1_moved;
   assign s1_in = '{d: s0_sample.d, n: beside.n, p: beside.p};
   displace i_displace (.clk_i, .regs_i, .in_i(s1_in), .out_o(s1_moved));
-  stream_pipe #(.T(displace_vertex_out_t), .Latency(10)) i_out (
+  stream_pipe #(.T(displace_vertex_out_t), .Latency(latency_pkg::Displace)) i_out (
     .clk_i,
     .rst_ni,
     .in_valid_i(sample_valid),

@@ -1,6 +1,8 @@
 // engine: base triangles in, adaptively tessellated and displaced triangles out.
 //   Doggett & Hirche 2000, Figures 7 and 8; contract: hls/edge/engine.hpp, which puts out the same triangles in another order
 //
+//   parameters  Lanes, ReadsPerClock, SamplesPerClock, QueueDepth, InFlight as rtl/top/edge_engine.sv has them; MaxGeneration, the most that
+//               regs_i may ask for: the queue's credit rule is proven for 3 MaxGeneration + 4 entries at least
 //   start_i   begins a mesh; the registers hold until done_o. in_i: base triangles, the last one says so; out_o: triangles, the last says so
 //   end_i     the input is over although no last came: the mesh ends with what was taken
 //   regs_i    engine_regs;  memories: read ports of each lane, see edge_lane
@@ -26,6 +28,7 @@ module engine
   parameter int unsigned ReadsPerClock = 12,
   parameter int unsigned SamplesPerClock = 4,
   parameter int unsigned QueueDepth = 4096,
+  parameter int unsigned MaxGeneration = 15,
   parameter int unsigned InFlight = 128
 ) (
   input  logic         clk_i,
@@ -70,6 +73,18 @@ module engine
   input  logic          out_ready_i,
   output triangle_out_t out_o
 );
+  if (Lanes != 1 && Lanes != 3) begin : gen_lanes
+    $error("Lanes is 1 or 3");
+  end
+  if (MaxGeneration > 15) begin : gen_max_generation
+    $error("MaxGeneration is 15 at most");
+  end
+  if (QueueDepth < 3 * MaxGeneration + 4) begin : gen_queue_depth
+    $error("QueueDepth is 3 MaxGeneration + 4 at least");
+  end
+  if (InFlight < 8) begin : gen_in_flight
+    $error("InFlight is 8 at least");
+  end
   // Triangles between their pop and their children: those of two maps' latencies and of all pipelines.
   localparam int unsigned FlightDepth = 2 * InFlight + 256;
 

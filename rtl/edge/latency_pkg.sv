@@ -1,4 +1,5 @@
-// latency_pkg: clocks of the pure pipelines that the engine lays side by side; the test of each unit asserts the number in its header.
+// latency_pkg: clocks of the pure pipelines that the engine lays side by side. The test of each unit asserts the number; ProfileLevels and
+// ShorterDiagonal are parts of profile_test and tessellate, whose words are wrong with any other number.
 package latency_pkg;
   localparam int unsigned Displace = 10;
   localparam int unsigned CalculateNewP = 4;

@@ -1,7 +1,7 @@
 // profile_test: how far does the map leave the chord of an edge, and where is the best place for a new vertex?
 //   pt = max e_j > threshold, k = the place that maximises e_j j (n - j) in the middle third, e_j = |D_j - ((n-j) D_0 + j D_n) / n|
 //   contract: hls/edge/profile_test.hpp
-//   parameters  SamplesPerClock  1, 2, 4, 8 or 16 quads asked for at once;  InFlight  groups of them, and edges, between in and out
+//   parameters  SamplesPerClock  1, 4 or 16 quads asked for at once;  InFlight  groups of them, and edges, between in and out
 //   port  quad_*   read port of the displacement map: SamplesPerClock times quad_request_t asked for together, of which those with
 //                  their bit of quad_req_mask_o set are wanted, and SamplesPerClock times texel_quad_t answered together. The requests
 //                  without it may lie anywhere and their answers are not looked at. Wanted lanes are the lowest. The answer comes from
@@ -22,6 +22,7 @@ module profile_test
   import surface_pkg::*;
   import memory_pkg::*;
   import edge_pkg::*;
+  import latency_pkg::*;
 #(
   parameter int unsigned SamplesPerClock = 4,
   parameter int unsigned InFlight = 128
@@ -43,12 +44,13 @@ module profile_test
   input  logic                                quad_rsp_valid_i,
   input  texel_quad_t   [SamplesPerClock-1:0] quad_rsp_i
 );
-  if (SamplesPerClock == 0 || SamplesPerClock > 16 ||
-      (SamplesPerClock & (SamplesPerClock - 1)) != 0) begin : gen_samples_per_clock
-    $error("SamplesPerClock is 1, 2, 4, 8 or 16");
+  if (SamplesPerClock != 1 && SamplesPerClock != 4 && SamplesPerClock != 16) begin : gen_samples
+    $error("SamplesPerClock is 1, 4 or 16");
+  end
+  if (InFlight < 8) begin : gen_in_flight
+    $error("InFlight is 8 at least");
   end
   localparam int unsigned PlacesLatency = 7;
-  localparam int unsigned BilinearLatency = 10;
   localparam int unsigned CountBits = $clog2(InFlight + 1);
 
   typedef struct packed {
@@ -78,9 +80,13 @@ module profile_test
   profile_levels i_levels (
     .clk_i, .u1_i(in_i.u1), .u2_i(in_i.u2), .levels_o(measured.levels), .extent_o(measured.extent)
   );
-  delay #(.T(coordinate_t [1:0]), .Stages(3)) i_u1 (.clk_i, .x_i(in_i.u1), .y_o(measured.u1));
-  delay #(.Stages(3)) i_forward (.clk_i, .x_i(in_i.forward), .y_o(measured.forward));
-  stream_pipe #(.T(edge_t), .Latency(3)) i_edges (
+  delay #(.T(coordinate_t [1:0]), .Stages(ProfileLevels)) i_u1 (
+    .clk_i, .x_i(in_i.u1), .y_o(measured.u1)
+  );
+  delay #(.Stages(ProfileLevels)) i_forward (
+    .clk_i, .x_i(in_i.forward), .y_o(measured.forward)
+  );
+  stream_pipe #(.T(edge_t), .Latency(ProfileLevels)) i_edges (
     .clk_i,
     .rst_ni,
     .in_valid_i,

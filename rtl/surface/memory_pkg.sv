@@ -17,6 +17,8 @@ package memory_pkg;
   typedef texel_t [1:0][1:0] texel_quad_t;
   typedef unit_t [2:0] normal_t;
   typedef normal_t [1:0][1:0] normal_quad_t;
+  // Clocks from a quad to its mean: bilinear.sv.
+  localparam int unsigned BilinearLatency = 10;
 
   // Word (x, y) of the summed-area table, SAT(x+1, y+1), where read is set; the answer to the others is not looked at.
   typedef struct packed {

@@ -57,7 +57,7 @@ module normal_sampler
 
   // The reader holds words back while all places here are spoken for: the pipe is always ready.
   logic unused_ready;
-  stream_pipe #(.T(normal_sampler_out_t), .Latency(10), .Depth(InFlight)) i_out (
+  stream_pipe #(.T(normal_sampler_out_t), .Latency(BilinearLatency), .Depth(InFlight)) i_out (
     .clk_i,
     .rst_ni,
     .in_valid_i(normal_rsp_valid_i),

@@ -2,7 +2,7 @@
 //   Doggett & Hirche 2000; the engine itself is rtl/edge/engine.sv, its registers are rtl/top/edge_engine.rdl
 //   parameters  LANES, 1 or 3; SAT_READS_PER_CLOCK, 1, 3, 4 or 12 words of the summed-area table a clock and lane;
 //               PROFILE_SAMPLES_PER_CLOCK, 1, 4 or 16; QUEUE_DEPTH, 3 MAX_GENERATION + 4 at least;
-//               IN_FLIGHT, edges that wait for memories, more than their latency for full rate
+//               IN_FLIGHT, edges that wait for memories, 8 at least, more than their latency for full rate
 //   aresetn           low for two clocks at least; the memories' too: no answer of before may come after it
 //   s_axil_*          AXI4-Lite: parameters, start, state, counters
 //   s_axis_*          base_triangle_t from bit 0, padded with zeros to bytes; tlast with the last of a mesh
@@ -126,6 +126,17 @@ module edge_engine
   if (MAX_GENERATION > 15) begin : gen_max_generation
     $error("MAX_GENERATION is 15 at most");
   end
+  if (SAT_READS_PER_CLOCK != 1 && SAT_READS_PER_CLOCK != 3 && SAT_READS_PER_CLOCK != 4 &&
+      SAT_READS_PER_CLOCK != 12) begin : gen_sat_reads
+    $error("SAT_READS_PER_CLOCK is 1, 3, 4 or 12");
+  end
+  if (PROFILE_SAMPLES_PER_CLOCK != 1 && PROFILE_SAMPLES_PER_CLOCK != 4 &&
+      PROFILE_SAMPLES_PER_CLOCK != 16) begin : gen_profile_samples
+    $error("PROFILE_SAMPLES_PER_CLOCK is 1, 4 or 16");
+  end
+  if (IN_FLIGHT < 8) begin : gen_in_flight
+    $error("IN_FLIGHT is 8 at least");
+  end
 
   logic rst_nq;
   always_ff @(posedge aclk) rst_nq <= aresetn;
@@ -210,6 +221,7 @@ module edge_engine
     .ReadsPerClock(SAT_READS_PER_CLOCK),
     .SamplesPerClock(PROFILE_SAMPLES_PER_CLOCK),
     .QueueDepth(QUEUE_DEPTH),
+    .MaxGeneration(MAX_GENERATION),
     .InFlight(IN_FLIGHT)
   ) i_engine (
     .clk_i(aclk),
