@@ -3,6 +3,7 @@ register says is wrong is one line. $RELIEVO_WRONG has hosts that do what a host
 import json
 import os
 import subprocess
+import sys
 import unittest
 
 import command_line
@@ -106,4 +107,8 @@ class absent(command_line.command_line):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    ran = unittest.main(exit=False)
+    if ran.result.wasSuccessful() and not BUILT:
+        print("SKIPPED: the model top needs the register block, which scripts/registers.sh could not make")
+        sys.exit(77)
+    sys.exit(not ran.result.wasSuccessful())
