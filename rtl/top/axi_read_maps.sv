@@ -5,6 +5,9 @@
 //         quad_req_mask_i       which quads of the profile are wanted: the others are not fetched
 //   out   error_o               for one clock with an answer: a beat of it was not OKAY
 //
+//   m_axi_quad, _place, _normal   a row of a quad is a burst of two beats where its columns are neighbours (axi_read_quads.sv); of the
+//                         table each word is a burst: a rectangle's corners do not lie beside each other
+//
 //   latency 10 and the memory's; initiation interval: a clock for each word that is read, at least one a request. Registered: as
 //   axi_read.sv, and a gate at error_o.
 //
@@ -160,7 +163,8 @@ module axi_read_maps
     .WordBytes(2),
     .AddressBits(AddressBits),
     .DataBytes(DataBytes),
-    .Outstanding(Outstanding)
+    .Outstanding(Outstanding),
+    .Pairs(1'b1)
   ) i_quad (
     .aclk,
     .aresetn,

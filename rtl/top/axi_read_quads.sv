@@ -2,7 +2,11 @@
 // bus: texels of two bytes, normals of eight.
 //   rsp_o[row][column]; the rest, and all parameters, as axi_read.sv, which does it
 //
-//   latency 10 and the memory's, initiation interval 4: four words a request
+//   m_axi             a row whose columns lie beside each other is one burst of two beats, so a quad
+//                     within the map two addresses; a row around the seam, of a clamped column, or
+//                     across 4 KB is two bursts of one
+//
+//   latency 10 and the memory's, initiation interval 4: four beats a request
 module axi_read_quads
   import formats_pkg::*;
   import memory_pkg::*;
@@ -53,7 +57,8 @@ module axi_read_quads
     .WordBits(WordBits),
     .AddressBits(AddressBits),
     .DataBytes(DataBytes),
-    .Outstanding(Outstanding)
+    .Outstanding(Outstanding),
+    .Pairs(1'b1)
   ) i_read (
     .aclk,
     .aresetn,

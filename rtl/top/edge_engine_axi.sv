@@ -7,8 +7,9 @@
 //   aresetn               of the memories too: no beat of before may come after it
 //   everything else       as edge_engine.sv; a beat that is not OKAY is its error memory_error
 //
-//   latency and initiation interval: a word a clock and bus, so the four rectangles of an edge take 12 clocks, a sample of a profile, a
-//   displacement, a normal 4. Outputs as axi_read.sv and edge_engine.sv.
+//   latency and initiation interval: a word, which is a beat, a clock and bus, so the four rectangles of an edge take 12 clocks, a sample
+//   of a profile, a displacement, a normal 4, in two bursts mostly; SAT_READS_PER_CLOCK and PROFILE_SAMPLES_PER_CLOCK say only how many
+//   words are asked for together. Outputs as axi_read.sv and edge_engine.sv.
 //
 //   edge_engine --[axi_read_maps]-- m_axi_*
 module edge_engine_axi

@@ -1,11 +1,12 @@
 // axi_memory: drives the Verilated model of an AXI4 read master of a map memory from both sides: requests on its port, and a memory on
 // its bus that answers in order, after fixed or random clocks, with stalls and error responses.
 //
-//   axi_run<Model, Request>(settings, requests, words_of)      -> clocks from the first request taken to the last answer, 0 after a failure
+//   axi_run<Model, Request>(settings, requests, words_of)      -> axi_result, all 0 after a failure
 //     words_of    Request -> the words it asks for, in the order of the answer's places
-//   The memory's bytes follow from their addresses. Checked: every word with read set, answers in order and one for each request, none
-//   else; error_o with exactly the answers that a bad beat went into; address, size and kind of every burst; ar holds while it is not
-//   taken; never more beats outstanding than promised; nothing left at the end.
+//   The memory's bytes follow from their addresses; a burst's beats come one after the other, rlast with the last of them. Checked: every
+//   word with read set, answers in order and one for each request, none else; error_o with exactly the answers that a bad beat went into;
+//   address, length, size and kind of every burst, none across 4 KB; ar holds while it is not taken; never more beats outstanding than
+//   promised; nothing left at the end. The bus has no IDs: one master's one ID, so all is in order.
 #pragma once
 #include <verilated.h>
 
@@ -28,6 +29,12 @@ struct axi_settings {
   std::uint64_t idle, stall;               // sixteenths: no request, no address taken, no beat though one is due
   std::int64_t latency_low, latency_high;  // clocks from an address taken to its beat
   std::uint64_t errors;                    // one beat in so many, 0: none
+  bool pairs = false;                      // words 2i and 2i + 1 are one burst where they lie beside each other, in one 4 KB
+};
+
+// Clocks from the first request taken to the last answer; bursts of one beat, and of two.
+struct axi_result {
+  std::uint64_t clocks = 0, singles = 0, pairs = 0;
 };
 
 namespace detail {
@@ -65,10 +72,14 @@ void put_byte(Port& port, int at, std::uint8_t byte) {
 }  // namespace detail
 
 template <class Model, class Request, class WordsOf>
-std::uint64_t axi_run(axi_settings const& s, std::vector<Request> const& requests, WordsOf words_of) {
+axi_result axi_run(axi_settings const& s, std::vector<Request> const& requests, WordsOf words_of) {
   struct beat {
     std::uint64_t address, due;
-    bool bad;
+    bool last, bad;
+  };
+  struct burst {
+    std::uint64_t address;
+    int beats;
   };
   struct answer {
     std::vector<tb::table_request> words;
@@ -83,12 +94,23 @@ std::uint64_t axi_run(axi_settings const& s, std::vector<Request> const& request
   generator g = next_generator();
   std::deque<beat> beats;
   std::deque<answer> answers;
-  std::deque<std::uint64_t> addresses;  // expected on the bus
+  std::deque<burst> bursts;  // expected on the bus
+  axi_result result;
   std::uint64_t clocks = 0, first = 0, last = 0, quiet = 0;
   std::size_t sent = 0, received = 0;
   const auto fail = [&](std::string const& what) {
     ADD_FAILURE() << what << "\nclock " << clocks << ", " << sent << " requests, " << received << " answers, seed " << seed();
-    return std::uint64_t(0);
+    return axi_result{};
+  };
+  const auto address_of = [&](tb::table_request const& w) {
+    return s.base + static_cast<std::uint64_t>(s.word_bytes) *
+                        (static_cast<std::uint64_t>(raw(w.y)) * s.width + static_cast<std::uint64_t>(raw(w.x)));
+  };
+  const auto in_one_page = [&](std::uint64_t address, int count) {
+    return address % 4096 + static_cast<std::uint64_t>(count * s.word_bytes) <= 4096;
+  };
+  const auto one_burst = [&](tb::table_request const& a, tb::table_request const& b) {
+    return a.read && b.read && raw(a.y) == raw(b.y) && raw(b.x) == raw(a.x) + 1 && in_one_page(address_of(a), 2);
   };
 
   model.base_i = static_cast<std::remove_reference_t<decltype(model.base_i)>>(s.base);
@@ -108,6 +130,7 @@ std::uint64_t axi_run(axi_settings const& s, std::vector<Request> const& request
 
   bool offered = false, beat_offered = false, ar_held = false;
   std::uint64_t held_address = 0;
+  int held_length = 0;
   for (int after = 0; after < 300; after += received == requests.size() ? 1 : 0) {
     // The port's request, and anything when there is none.
     if (!offered && sent < requests.size() && g.below(16) >= s.idle) offered = true;
@@ -129,7 +152,7 @@ std::uint64_t axi_run(axi_settings const& s, std::vector<Request> const& request
         for (int i = 0; i < s.word_bytes; ++i)
           detail::put_byte(model.m_axi_rdata, lane + i, detail::byte_at(b.address + static_cast<std::uint64_t>(i)));
         model.m_axi_rresp = static_cast<std::uint8_t>(b.bad ? g.between(1, 3) : 0);
-        model.m_axi_rlast = 1;
+        model.m_axi_rlast = b.last;
       }
     }
     model.m_axi_rvalid = beat_offered;
@@ -144,11 +167,10 @@ std::uint64_t axi_run(axi_settings const& s, std::vector<Request> const& request
       if ((model.error_o != 0) != a.bad) return fail("error_o is " + std::to_string(model.error_o));
       for (std::size_t i = 0; i < a.words.size(); ++i) {
         if (!a.words[i].read) continue;
-        const auto x = static_cast<std::uint64_t>(raw(a.words[i].x)), y = static_cast<std::uint64_t>(raw(a.words[i].y));
-        const std::uint64_t address = s.base + static_cast<std::uint64_t>(s.word_bytes) * (y * s.width + x);
         const std::uint64_t word = detail::port_bits_at(model.rsp_o, static_cast<int>(i) * s.word_bits, s.word_bits);
-        if (word != detail::word_at(address, s.word_bytes, s.word_bits))
-          return fail("word " + std::to_string(i) + " (" + std::to_string(x) + ", " + std::to_string(y) + ") of an answer differs");
+        if (word != detail::word_at(address_of(a.words[i]), s.word_bytes, s.word_bits))
+          return fail("word " + std::to_string(i) + " (" + std::to_string(raw(a.words[i].x)) + ", " + std::to_string(raw(a.words[i].y)) +
+                      ") of an answer differs");
       }
       ++received;
       last = clocks;
@@ -160,14 +182,20 @@ std::uint64_t axi_run(axi_settings const& s, std::vector<Request> const& request
     const bool taken = offered && model.req_ready_o;
     const bool ar_moves = model.m_axi_arvalid && model.m_axi_arready;
     const bool r_moves = beat_offered && model.m_axi_rready;
-    if (ar_held && (!model.m_axi_arvalid || model.m_axi_araddr != held_address)) return fail("ar changed while it was not taken");
+    if (ar_held && (!model.m_axi_arvalid || model.m_axi_araddr != held_address || model.m_axi_arlen != held_length))
+      return fail("ar changed while it was not taken");
     if (model.m_axi_arvalid) {
-      if (addresses.empty() || addresses.front() != model.m_axi_araddr) return fail("a wrong address");
-      if (model.m_axi_arlen != 0 || (1 << model.m_axi_arsize) != s.word_bytes || model.m_axi_arburst != 1 || model.m_axi_arprot != 0)
-        return fail("not a burst of one word of data");
+      if (!in_one_page(model.m_axi_araddr, model.m_axi_arlen + 1)) return fail("a burst crosses 4 KB");
+      if (bursts.empty() || bursts.front().address != model.m_axi_araddr) return fail("a wrong address");
+      if (model.m_axi_arlen + 1 != bursts.front().beats)
+        return fail("a burst of " + std::to_string(model.m_axi_arlen + 1) + " words, where one of " + std::to_string(bursts.front().beats) +
+                    " was to come");
+      if ((1 << model.m_axi_arsize) != s.word_bytes || model.m_axi_arburst != 1 || model.m_axi_arprot != 0)
+        return fail("not a burst of whole words of data");
     }
     ar_held = model.m_axi_arvalid && !ar_moves;
     held_address = model.m_axi_araddr;
+    held_length = model.m_axi_arlen;
     if (r_moves) {
       // The beats go into the answers in order.
       const auto a = std::find_if(answers.begin(), answers.end(), [](answer const& x) { return x.beats != 0; });
@@ -178,20 +206,26 @@ std::uint64_t axi_run(axi_settings const& s, std::vector<Request> const& request
     }
     if (ar_moves) {
       std::uint64_t due = clocks + static_cast<std::uint64_t>(g.between(s.latency_low, s.latency_high));
-      if (!beats.empty()) due = std::max(due, beats.back().due + 1);
-      beats.push_back({addresses.front(), due, s.errors != 0 && g.chance(s.errors)});
-      addresses.pop_front();
+      burst const& b = bursts.front();
+      (b.beats == 2 ? result.pairs : result.singles) += 1;
+      for (int i = 0; i < b.beats; ++i) {
+        if (!beats.empty()) due = std::max(due, beats.back().due + 1);
+        beats.push_back(
+            {b.address + static_cast<std::uint64_t>(i * s.word_bytes), due, i + 1 == b.beats, s.errors != 0 && g.chance(s.errors)});
+      }
+      bursts.pop_front();
       if (beats.size() > s.outstanding) return fail("more beats outstanding than promised");
     }
     if (taken) {
       if (sent == 0) first = clocks;
       const std::vector<tb::table_request> words = words_of(requests[sent]);
       answers.push_back({words, 0, false});
-      for (tb::table_request const& w : words) {
-        if (!w.read) continue;
-        ++answers.back().beats;
-        addresses.push_back(s.base + static_cast<std::uint64_t>(s.word_bytes) *
-                                         (static_cast<std::uint64_t>(raw(w.y)) * s.width + static_cast<std::uint64_t>(raw(w.x))));
+      for (std::size_t i = 0; i < words.size(); ++i) {
+        if (!words[i].read) continue;
+        const bool pair = s.pairs && i % 2 == 0 && one_burst(words[i], words[i + 1]);
+        bursts.push_back({address_of(words[i]), pair ? 2 : 1});
+        answers.back().beats += pair ? 2 : 1;
+        i += pair ? 1 : 0;
       }
       ++sent;
       offered = false;
@@ -204,8 +238,9 @@ std::uint64_t axi_run(axi_settings const& s, std::vector<Request> const& request
     model.eval();
     ++clocks;
   }
-  if (!beats.empty() || !answers.empty() || !addresses.empty()) return fail("something was left");
-  return last - first + 1;
+  if (!beats.empty() || !answers.empty() || !bursts.empty()) return fail("something was left");
+  result.clocks = last - first + 1;
+  return result;
 }
 
 // The rates and latencies that every reader is tried with.

@@ -2,7 +2,9 @@
 // order, after the traffic's clocks, with stalls.
 //   quiet, load, forget, offer, take   as tb/cosim/map_ports.hpp
 //   bad_beats          so many beats to come are answered with SLVERR, and with the right word
-//   Checked: every address is one of a word of the map it is for, aligned; ar holds until it is taken; bursts are of one word.
+//   bursts_of_two()    of the bursts so far
+//   Checked: every address is one of a word of the map it is for, aligned; ar holds until it is taken; bursts are of whole words, one or,
+//   of texels and normals, two, and none crosses 4 KB. rlast comes with the last beat of each.
 #pragma once
 #include <gtest/gtest.h>
 
@@ -39,6 +41,7 @@ class map_buses {
 
   void load(tb::map_contents const& c) { map_ = c; }
   std::uint64_t answered() const { return answered_; }
+  std::uint64_t bursts_of_two() const { return bursts_of_two_; }
   // After a reset.
   void forget() {
     for (bus* b : {&table_, &quad_, &place_, &normal_}) {
@@ -57,7 +60,7 @@ class map_buses {
       *r.valid = b.offered;
       *r.resp = static_cast<CData>(b.offered ? (b.beats.front().bad ? 2 : 0) : g_.below(4));
       *r.data = b.offered ? b.beats.front().data : g_();
-      *r.last = b.offered;
+      *r.last = static_cast<CData>(b.offered ? b.beats.front().last : g_.chance(2));
     });
   }
   void take(Model& m, std::uint64_t clock) {
@@ -69,20 +72,26 @@ class map_buses {
       }
       if (const std::string broken = b.hold.look(*ar.valid, *ar.ready, *ar.address); !broken.empty()) fail_(broken);
       if (!*ar.valid || !*ar.ready) return;
-      EXPECT_EQ(*ar.length, 0);
+      const unsigned beats = *ar.length + 1u;
+      EXPECT_LE(beats, b.base == table_base ? 1u : 2u);
+      EXPECT_LE(*ar.address % 4096 + beats * b.bytes, 4096u) << b.name << ": a burst crosses 4 KB";
       EXPECT_EQ(1u << *ar.size, b.bytes);
+      EXPECT_EQ(*ar.kind, 1);
       EXPECT_EQ(*ar.protection, 0);
-      const std::uint64_t due = times_.due(clock, b.beats.empty() ? 0 : b.beats.back().due);
-      const bool bad = bad_beats > 0;
-      bad_beats -= bad ? 1 : 0;
-      b.beats.push_back({due, beat(b, *ar.address), bad});
+      bursts_of_two_ += beats == 2 ? 1 : 0;
+      std::uint64_t due = times_.due(clock, b.beats.empty() ? 0 : b.beats.back().due);
+      for (unsigned i = 0; i < beats; ++i, ++due) {
+        const bool bad = bad_beats > 0;
+        bad_beats -= bad ? 1 : 0;
+        b.beats.push_back({due, beat(b, *ar.address + i * b.bytes), i + 1 == beats, bad});
+      }
     });
   }
 
  private:
   struct beat_word {
     std::uint64_t due, data;
-    bool bad;
+    bool last, bad;
   };
   struct bus {
     char const* name;
@@ -95,7 +104,7 @@ class map_buses {
   template <class Address>
   struct ar_ports {
     Address const* address;
-    CData const *length, *size, *protection, *valid;
+    CData const *length, *size, *kind, *protection, *valid;
     CData* ready;
   };
   template <class Data>
@@ -121,12 +130,12 @@ class map_buses {
     return above | (b.base == table_base ? map_.table[at] : map_.normals[at]);
   }
 
-#define RELIEVO_BUS(name)                                                                                                          \
-  call(name##_,                                                                                                                    \
-       ar_ports<std::remove_reference_t<decltype(m.m_axi_##name##_araddr)>>{&m.m_axi_##name##_araddr, &m.m_axi_##name##_arlen,     \
-                                                                            &m.m_axi_##name##_arsize, &m.m_axi_##name##_arprot,    \
-                                                                            &m.m_axi_##name##_arvalid, &m.m_axi_##name##_arready}, \
-       r_ports<std::remove_reference_t<decltype(m.m_axi_##name##_rdata)>>{                                                         \
+#define RELIEVO_BUS(name)                                                                                          \
+  call(name##_,                                                                                                    \
+       ar_ports<std::remove_reference_t<decltype(m.m_axi_##name##_araddr)>>{                                       \
+           &m.m_axi_##name##_araddr, &m.m_axi_##name##_arlen, &m.m_axi_##name##_arsize, &m.m_axi_##name##_arburst, \
+           &m.m_axi_##name##_arprot, &m.m_axi_##name##_arvalid, &m.m_axi_##name##_arready},                        \
+       r_ports<std::remove_reference_t<decltype(m.m_axi_##name##_rdata)>>{                                         \
            &m.m_axi_##name##_rdata, &m.m_axi_##name##_rresp, &m.m_axi_##name##_rlast, &m.m_axi_##name##_rvalid, &m.m_axi_##name##_rready})
   template <class Call>
   void each(Model& m, Call const& call) {
@@ -142,7 +151,7 @@ class map_buses {
   tb::pacer source_, sink_;
   tb::answer_times times_;
   generator g_{"map_buses"};
-  std::uint64_t answered_ = 0;
+  std::uint64_t answered_ = 0, bursts_of_two_ = 0;
   bus table_{"m_axi_table", table_base, 8, tb::held_word("m_axi_table_ar"), {}};
   bus quad_{"m_axi_quad", displacement_base, 2, tb::held_word("m_axi_quad_ar"), {}};
   bus place_{"m_axi_place", displacement_base, 2, tb::held_word("m_axi_place_ar"), {}};
