@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Makes of each rtl/top/*.rdl its register block in SystemVerilog, a C header of its addresses and the register map as HTML:
+# Makes of each rtl/top/*.rdl its register block in SystemVerilog, a C header of its addresses and enumerations, and the register map as HTML:
 #   scripts/registers.sh [FOLDER]      FOLDER: ${RELIEVO_BUILD:-build}/registers; FOLDER/html/<name>/index.html is the register map
 #   Exit code 77 when PeakRDL is not here and PyPI can't be reached. What is newer than its .rdl stays.
 set -euo pipefail
@@ -22,6 +22,11 @@ for rdl in rtl/top/*.rdl; do
   sed -i 's/\bstruct {/struct packed {/' "$work"/*.sv
   .venv/bin/peakrdl html "$rdl" -o "$work/html/$name"
   .venv/bin/peakrdl c-header "$rdl" -o "$work/$(basename "$header")" --type-style hier
+  # The C header has no enumerations; the package has, and its names and numbers are C's but for the 'h.
+  sed -n '/typedef enum/,/^ *}/p' "$work/${name}_regblock_pkg.sv" |
+    sed -E "s/typedef enum[^{]*/typedef enum /; s/= 'h/= 0x/; s/^    //" >"$work/enumerations"
+  grep -q '^typedef enum' "$work/enumerations"
+  sed -i "/^#include <assert.h>/r $work/enumerations" "$work/$(basename "$header")"
   mkdir -p "$folder/html"
   rm -rf "$folder/html/$name"
   mv "$work/html/$name" "$folder/html/$name"

@@ -23,6 +23,26 @@ namespace {
   put(RELIEVO_REGISTER(record.name##_##i##_2), regs.name[i][2])
 #define RELIEVO_COUNT(name) c.name = read(RELIEVO_REGISTER(counters.name))
 
+// The codes are the register map's.
+#define RELIEVO_CODE(name)                                                                               \
+  static_assert(static_cast<int>(edge_engine_code::name) == static_cast<int>(edge_engine_error__##name), \
+                "edge_engine.rdl and edge_engine_driver.hpp number " #name " differently")
+RELIEVO_CODE(none);
+RELIEVO_CODE(map_size_zero);
+RELIEVO_CODE(map_size_too_large);
+RELIEVO_CODE(max_generation_too_large);
+RELIEVO_CODE(early_last);
+RELIEVO_CODE(missing_last);
+RELIEVO_CODE(last_disagrees);
+RELIEVO_CODE(coordinate_outside_map);
+RELIEVO_CODE(start_while_busy);
+RELIEVO_CODE(queue_overflow);
+RELIEVO_CODE(map_early_last);
+RELIEVO_CODE(map_missing_last);
+RELIEVO_CODE(stopped);
+RELIEVO_CODE(memory_error);
+#undef RELIEVO_CODE
+
 }  // namespace
 
 std::uint64_t edge_engine_driver::read(std::size_t address, std::size_t bytes) {
@@ -106,8 +126,21 @@ edge_engine_state edge_engine_driver::state() {
 edge_engine_state edge_engine_driver::wait(std::uint64_t polls) {
   for (std::uint64_t i = 0; i < polls; ++i) {
     const edge_engine_state s = state();
+    if (!s.busy || (s.error && is_refusal(s.code))) return s;
+  }
+  give_up(polls);
+}
+
+edge_engine_state edge_engine_driver::drain(std::uint64_t polls) {
+  for (std::uint64_t i = 0; i < polls; ++i) {
+    const edge_engine_state s = state();
     if (!s.busy) return s;
   }
+  give_up(polls);
+}
+
+void edge_engine_driver::give_up(std::uint64_t polls) {
+  check(state());
   throw edge_engine_error("edge engine: the mesh is not done after " + std::to_string(polls) +
                           " reads of its state; does its packet have an end, and does someone take what comes out? stop() ends it");
 }

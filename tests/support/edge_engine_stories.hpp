@@ -50,9 +50,18 @@ void refused(Spoil spoil, code wrong, std::string const& part) {
       tell([&](session& it, engine_scene s) {
         spoil(s.regs);
         it.begin(s, counted ? static_cast<std::uint32_t>(s.base.size()) : 0);
-        const tb::edge_engine_state state = it.bench.driver.state();
+        // At once, without a packet: it would be waited for for ever.
+        const tb::edge_engine_state state = it.bench.driver.wait(1);
         ASSERT_TRUE(state.busy && state.error && !state.done);
+        ASSERT_EQ(state.code, wrong);
         it.expect_line(wrong, part);
+        // Who waits for its end all the same is told why there is none.
+        try {
+          it.bench.driver.drain(10);
+          FAIL() << "nothing was swallowed, and the engine is not busy";
+        } catch (tb::edge_engine_error const& e) {
+          ASSERT_NE(std::string(e.what()).find(part), std::string::npos) << e.what();
+        }
         if (comes)
           it.send(s);
         else

@@ -4,6 +4,7 @@
 
 #include "Vedge_engine_control.h"
 #include "hls/edge/engine_regs.hpp"
+#include "tb/cosim/edge_engine_driver.hpp"
 #include "tb/cosim/ports.hpp"
 #include "tb/cosim/ports_of_lanes.hpp"
 #include "tests/support/clocked_model.hpp"
@@ -11,8 +12,9 @@
 namespace relievo::test {
 namespace {
 
-// The numbers of rtl/top/edge_engine_pkg.sv.
-enum code { none = 0, max_generation_too_large = 3, early_last = 4, start_while_busy = 8, queue_overflow = 9, map_early_last = 10 };
+using code = tb::edge_engine_code;
+// As a port has it.
+constexpr int number(code c) { return static_cast<int>(c); }
 enum control { start = 1, stop = 2, clear_error = 4 };
 
 class control_bench {
@@ -27,7 +29,7 @@ class control_bench {
     model().engine_done_i = 1;
     model().input_over_i = 1;
     model().overflow_i = model().memory_error_i = model().generation_beyond_i = 0;
-    model().input_error_i = model().map_error_i = none;
+    model().input_error_i = model().map_error_i = number(code::none);
     model_.reset();
   }
   void set(hls::engine_regs const& regs) { tb::put(model().regs_i, regs); }
@@ -92,10 +94,10 @@ TEST(edge_engine_control, begins_two_clocks_after_the_start_and_is_done_one_afte
     EXPECT_TRUE(m.stop_o);
     bench.clock();
     EXPECT_FALSE(m.stop_o) << "for one clock";
-    m.map_error_i = map_early_last;
+    m.map_error_i = number(code::map_early_last);
     bench.clock();
-    m.map_error_i = none;
-    EXPECT_EQ(m.error_code_o, map_early_last);
+    m.map_error_i = number(code::none);
+    EXPECT_EQ(m.error_code_o, number(code::map_early_last));
     m.engine_done_i = m.input_over_i = 1;
     bench.clocks().settle();
     EXPECT_FALSE(m.done_o);
@@ -111,50 +113,50 @@ TEST(edge_engine_control, reports_an_overflow_of_the_queue) {
   // It stays until the next start.
   bench.model().overflow_i = 1;
   bench.clock();
-  EXPECT_EQ(bench.model().error_code_o, queue_overflow);
+  EXPECT_EQ(bench.model().error_code_o, number(code::queue_overflow));
   EXPECT_TRUE(bench.model().busy_o);
   bench.finish();
-  EXPECT_EQ(bench.model().error_code_o, queue_overflow);
+  EXPECT_EQ(bench.model().error_code_o, number(code::queue_overflow));
   bench.write(clear_error);
   bench.clock();
-  EXPECT_EQ(bench.model().error_code_o, none) << "one overflow is reported once";
+  EXPECT_EQ(bench.model().error_code_o, number(code::none)) << "one overflow is reported once";
   bench.model().overflow_i = 0;
   bench.begin();
   bench.finish();
-  EXPECT_EQ(bench.model().error_code_o, none);
+  EXPECT_EQ(bench.model().error_code_o, number(code::none));
 }
 
 TEST(edge_engine_control, keeps_the_first_error) {
   control_bench bench;
   bench.begin();
-  bench.model().input_error_i = early_last;
+  bench.model().input_error_i = number(code::early_last);
   bench.clock();
-  bench.model().input_error_i = none;
-  bench.model().map_error_i = map_early_last;
+  bench.model().input_error_i = number(code::none);
+  bench.model().map_error_i = number(code::map_early_last);
   bench.clock();
-  bench.model().map_error_i = none;
+  bench.model().map_error_i = number(code::none);
   bench.write(start);
-  EXPECT_EQ(bench.model().error_code_o, early_last);
+  EXPECT_EQ(bench.model().error_code_o, number(code::early_last));
   bench.finish();
-  EXPECT_EQ(bench.model().error_code_o, early_last);
+  EXPECT_EQ(bench.model().error_code_o, number(code::early_last));
   // An error that comes while the last one is cleared is not lost.
-  bench.model().map_error_i = map_early_last;
+  bench.model().map_error_i = number(code::map_early_last);
   bench.write(clear_error);
-  EXPECT_EQ(bench.model().error_code_o, map_early_last);
+  EXPECT_EQ(bench.model().error_code_o, number(code::map_early_last));
 }
 
 TEST(edge_engine_control, a_start_clears_the_last_error_and_says_its_own) {
   control_bench bench;
   bench.begin();
   bench.write(start);
-  EXPECT_EQ(bench.model().error_code_o, start_while_busy);
+  EXPECT_EQ(bench.model().error_code_o, number(code::start_while_busy));
   bench.finish();
   hls::engine_regs regs{};
   regs.map.width = regs.map.height = hls::from_raw<formats::map_size>(4);
   regs.pass.max_generation = hls::from_raw<formats::generation>(7);
   bench.set(regs);
   bench.write(start);
-  EXPECT_EQ(bench.model().error_code_o, max_generation_too_large);
+  EXPECT_EQ(bench.model().error_code_o, number(code::max_generation_too_large));
   EXPECT_TRUE(bench.model().busy_o) << "known as soon as the mesh is";
   EXPECT_TRUE(bench.model().refuse_o);
 }

@@ -7,6 +7,7 @@
 
 #include "Vedge_engine_input.h"
 #include "hls/top/top.hpp"
+#include "tb/cosim/edge_engine_driver.hpp"
 #include "tb/cosim/ports.hpp"
 #include "tb/cosim/ports_of_lanes.hpp"
 #include "tests/support/clocked_model.hpp"
@@ -15,8 +16,9 @@
 namespace relievo::test {
 namespace {
 
-// The numbers of rtl/top/edge_engine_pkg.sv.
-enum code { none = 0, coordinate_outside_map = 7, stopped = 12 };
+using code = tb::edge_engine_code;
+// As a port has it.
+constexpr int number(code c) { return static_cast<int>(c); }
 
 // Coordinates up to 100 texels on both axes.
 constexpr std::int64_t limit = std::int64_t(100) << formats::coordinate::fraction;
@@ -83,13 +85,13 @@ TEST(edge_engine_input, says_what_is_wrong_two_clocks_after_the_record_was_taken
   m.clock();
   m->in_valid_i = 0;
   EXPECT_FALSE(m->out_valid_o);
-  EXPECT_EQ(m->error_o, none);
+  EXPECT_EQ(m->error_o, number(code::none));
   EXPECT_FALSE(m->end_o);
   m.clock();
-  EXPECT_EQ(m->error_o, coordinate_outside_map);
+  EXPECT_EQ(m->error_o, number(code::coordinate_outside_map));
   EXPECT_TRUE(m->end_o);
   m.clock();
-  EXPECT_EQ(m->error_o, none) << "for one clock";
+  EXPECT_EQ(m->error_o, number(code::none)) << "for one clock";
   EXPECT_FALSE(m->end_o);
 }
 
@@ -102,10 +104,10 @@ TEST(edge_engine_input, ends_two_clocks_after_a_stop) {
   EXPECT_FALSE(m->end_o);
   m.clock();
   EXPECT_TRUE(m->end_o);
-  EXPECT_EQ(m->error_o, stopped);
+  EXPECT_EQ(m->error_o, number(code::stopped));
   m.clock();
   EXPECT_FALSE(m->end_o);
-  EXPECT_EQ(m->error_o, none);
+  EXPECT_EQ(m->error_o, number(code::none));
   EXPECT_TRUE(m->over_o);
 }
 

@@ -156,6 +156,35 @@ TEST(edge_engine, tells_of_a_memory_that_fails) {
   });
 }
 
+// Registers without a circuit: the state is what it is said to be, all else 0.
+class only_a_state : public tb::register_bus {
+ public:
+  explicit only_a_state(std::uint32_t state) : state_(state) {}
+  std::uint32_t read32(std::uint32_t address) override { return address == offsetof(edge_engine_t, state) ? state_ : 0; }
+  void write32(std::uint32_t, std::uint32_t) override {}
+
+ private:
+  std::uint32_t state_;
+};
+
+// The credit rule excludes an overflow, so no host and no packet brings the circuit to it: that it reaches the state's code is tested where
+// it can be raised (edge_engine_control_rtl.cpp), and here that the host reads a line of it.
+TEST(edge_engine, tells_of_an_overflow_of_the_queue) {
+  const auto line_of = [](std::uint32_t number) {
+    only_a_state registers(EDGE_ENGINE__STATE__DONE_bm | EDGE_ENGINE__STATE__ERROR_bm | number << EDGE_ENGINE__STATE__ERROR_CODE_bp);
+    tb::edge_engine_driver driver(registers);
+    try {
+      driver.check(driver.wait(1));
+    } catch (tb::edge_engine_error const& e) {
+      return std::string(e.what());
+    }
+    return std::string("no error");
+  };
+  EXPECT_EQ(line_of(edge_engine_error__queue_overflow),
+            "edge engine: the triangle queue overflowed, which its circuit excludes: triangles are missing");
+  EXPECT_EQ(line_of(15), "edge engine: error code 15, which this driver does not know");
+}
+
 TEST(edge_engine, survives_a_packet_that_breaks_off) {
   for (const std::size_t sent : {0, 1, 2})
     tell([&](session& it, engine_scene const& s) {
