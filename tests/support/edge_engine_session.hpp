@@ -4,6 +4,8 @@
 //   it.begin(scene, n), .send(scene), .expect_mesh(scene, code)     a mesh in its steps; code: the error that was to be found
 //   it.expect_line(code, text)      the driver's line for it
 //   first_of(scene, n)              the mesh of its first n base triangles;  good_scene(g) one of three at least
+//   run_back_to_back<Session>(patterns, done)   scenes with other registers and maps one after the other, on every pattern of traffic
+//   reset_in_the_middle<Session>(patterns)      resets while anything is under way, each with a good scene after it
 #pragma once
 #include <memory>
 #include <string>
@@ -127,6 +129,47 @@ inline engine_scene good_scene(generator& g) {
   for (;;) {
     engine_scene s = random_scene(g, static_cast<int>(g.between(0, 3)));
     if (s.base.size() >= 3) return s;
+  }
+}
+
+struct work_done {
+  std::uint64_t edge_tests = 0, profile_samples = 0;
+};
+
+template <class Session>
+void run_back_to_back(std::vector<traffic> const& patterns, work_done& done) {
+  generator g("scenes");
+  for (traffic const& t : patterns) {
+    Session it(t);
+    for (int i = 0; i < 12; ++i) {
+      const engine_scene s = random_scene(g, static_cast<int>(g.between(0, 4)));
+      it.run(s, i % 2 != 0);
+      if (testing::Test::HasFatalFailure()) FAIL() << "scene " << i << ", seed " << seed() << "\n" << describe(s.regs);
+      const hls::counters counts = it.bench.driver.counters();
+      done.edge_tests += counts.edge_tests;
+      done.profile_samples += counts.profile_samples;
+    }
+  }
+}
+
+// Whatever was under way: a mesh, a map, an access of the host, reads of the memories.
+template <class Session>
+void reset_in_the_middle(std::vector<traffic> const& patterns) {
+  generator g("reset");
+  for (traffic const& t : patterns) {
+    Session it(t);
+    for (const int clocks : {1, 2, 3, 40, 41, 150, 333, 700, 1500}) {
+      const engine_scene s = good_scene(g);
+      it.build_maps(s);
+      it.begin(s, 0);
+      it.send(s);
+      it.bench.clock(clocks);
+      it.bench.texels.assign(9, {7, false});
+      it.bench.clock(clocks % 13);
+      it.bench.reset();
+      it.run(good_scene(g), true);
+      if (testing::Test::HasFatalFailure()) FAIL() << "reset after " << clocks << " clocks, seed " << seed();
+    }
   }
 }
 

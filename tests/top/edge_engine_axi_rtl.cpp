@@ -15,21 +15,10 @@ using session = edge_engine_session<Vedge_engine_axi, map_buses<Vedge_engine_axi
 using code = tb::edge_engine_code;
 
 TEST(edge_engine_axi, rtl_equals_hls_on_scenes_back_to_back) {
-  generator g("scenes");
-  const traffic patterns[] = {{0, 0, 1, 1}, {0, 7, 1, 40}, {7, 0, 1, 40}, {5, 5, 60, 60}};
-  std::uint64_t tests = 0, samples = 0;
-  for (traffic const& t : patterns) {
-    session it(t);
-    for (int i = 0; i < 12; ++i) {
-      const engine_scene s = random_scene(g, static_cast<int>(g.between(0, 4)));
-      it.run(s, i % 2 != 0);
-      if (HasFatalFailure()) FAIL() << "scene " << i << ", seed " << seed() << "\n" << describe(s.regs);
-      tests += it.bench.driver.counters().edge_tests;
-      samples += it.bench.driver.counters().profile_samples;
-    }
-  }
-  EXPECT_GT(tests, 1000u);
-  EXPECT_GT(samples, 1000u);
+  work_done done;
+  run_back_to_back<session>({{0, 0, 1, 1}, {0, 7, 1, 40}, {7, 0, 1, 40}, {5, 5, 60, 60}}, done);
+  EXPECT_GT(done.edge_tests, 1000u);
+  EXPECT_GT(done.profile_samples, 1000u);
 }
 
 // Each bus in its turn; the words were right all the same, so the mesh is.
@@ -52,25 +41,7 @@ TEST(edge_engine_axi, tells_of_a_memory_that_fails) {
   }
 }
 
-// Whatever was under way: a mesh, a map, an access of the host, reads of the memories.
-TEST(edge_engine_axi, survives_a_reset_in_the_middle) {
-  generator g("reset");
-  for (traffic const& t : {traffic{0, 0, 1, 1}, traffic{4, 6, 1, 40}}) {
-    session it(t);
-    for (const int clocks : {1, 2, 3, 40, 41, 150, 333, 700, 1500}) {
-      const engine_scene s = good_scene(g);
-      it.build_maps(s);
-      it.begin(s, 0);
-      it.send(s);
-      it.bench.clock(clocks);
-      it.bench.texels.assign(9, {7, false});
-      it.bench.clock(clocks % 13);
-      it.bench.reset();
-      it.run(good_scene(g), true);
-      if (HasFatalFailure()) FAIL() << "reset after " << clocks << " clocks, seed " << seed();
-    }
-  }
-}
+TEST(edge_engine_axi, survives_a_reset_in_the_middle) { reset_in_the_middle<session>({{0, 0, 1, 1}, {4, 6, 1, 40}}); }
 
 }  // namespace
 }  // namespace relievo::test

@@ -75,10 +75,8 @@ TEST(edge_engine, survives_a_map_that_does_not_end) {
     });
 }
 
-// The host may have seen it while the last row is still coming out; then nothing is swallowed.
-TEST(edge_engine, forgets_the_rest_of_a_map_that_the_host_has_seen_before_it_was_out) {
-  session it;
-  generator g("flush");
+// After a good scene all texels of a map without tlast, whose last row is still to come out when this returns.
+engine_scene send_endless_map(session& it, generator& g) {
   it.run(good_scene(g), true);
   engine_scene s(test_map(100, 2, fill::random, g));
   s.regs.map = s.map.regs(false, true);
@@ -89,6 +87,14 @@ TEST(edge_engine, forgets_the_rest_of_a_map_that_the_host_has_seen_before_it_was
   it.bench.normals.clear();
   for (std::uint16_t const word : s.map.words()) it.bench.texels.push_back({word, false});
   while (!it.bench.texels.empty()) it.bench.clock();
+  return s;
+}
+
+// The host may have seen it while the last row is still coming out; then nothing is swallowed.
+TEST(edge_engine, forgets_the_rest_of_a_map_that_the_host_has_seen_before_it_was_out) {
+  session it;
+  generator g("flush");
+  const engine_scene s = send_endless_map(it, g);
   it.bench.clock(5);
   it.expect_line(code::map_missing_last, "without tlast");
   it.bench.driver.clear_error();
@@ -106,16 +112,7 @@ TEST(edge_engine, makes_no_map_of_the_rest_of_another_when_a_mesh_begins) {
   for (const bool out : {false, true}) {
     session it;
     generator g("rest");
-    it.run(good_scene(g), true);
-    engine_scene s(test_map(100, 2, fill::random, g));
-    s.regs.map = s.map.regs(false, true);
-    s.build_normals();
-    it.bench.driver.set(s.regs);
-    it.bench.driver.set(s.normal_regs);
-    it.bench.table.clear();
-    it.bench.normals.clear();
-    for (std::uint16_t const word : s.map.words()) it.bench.texels.push_back({word, false});
-    while (!it.bench.texels.empty()) it.bench.clock();
+    const engine_scene s = send_endless_map(it, g);
     it.bench.clock(out ? 500 : 5);
     ASSERT_EQ(it.bench.driver.state().map_busy, !out);
     const engine_scene mesh = good_scene(g);
