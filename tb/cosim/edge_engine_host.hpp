@@ -7,11 +7,14 @@
 //   host.triangle, .table_word, .normal_word   are called with what comes out, in the clock in which it is taken
 //   host.clock(n)          n clocks;  host.idle()  all sources empty;  host.reset()
 //   host.quiet_clocks()    clocks since a word moved on another bus than AXI4-Lite, of which a host reads the state for ever
+//   host.stopped()         the link at which a run that is quiet stands still, and how
 //   fail(text)             in every clock: a word does not hold while it is not taken, tlast and last differ, a word was asked for that is
-//                          not of the map, the bus does not answer OKAY, an assertion of the circuit failed
+//                          not of the map, the bus does not answer OKAY, an assertion of the circuit failed; in some clocks: a ready of a
+//                          stream goes through the circuit within the clock, a valid waits for its ready
 #pragma once
 #include <verilated.h>
 
+#include <array>
 #include <deque>
 #include <functional>
 #include <memory>
@@ -84,6 +87,16 @@ class edge_engine_host : public register_bus {
 
   bool idle() const { return base.empty() && texels.empty(); }
   std::uint64_t quiet_clocks() const { return quiet_; }
+  // A memory first; else a word that nobody takes, those behind the circuit first, the sources last; else the circuit itself, from which
+  // nothing comes any more.
+  std::string stopped() const {
+    if (const std::string memory = memories.stopped(); !memory.empty()) return memory;
+    for (held_word const* h : {&out_hold_, &table_hold_, &normal_hold_})
+      if (h->waits()) return std::string(h->name()) + ": a word is not taken";
+    if (offering_base_) return "s_axis: a word is not taken";
+    if (offering_texel_) return "s_axis_map: a word is not taken";
+    return "m_axis: nothing comes, and the circuit asks for nothing";
+  }
 
   void clock(int n = 1) {
     for (int i = 0; i < n; ++i) step();
@@ -100,6 +113,9 @@ class edge_engine_host : public register_bus {
   }
 
  private:
+  // Clocks between two looks for paths within a clock, each a twentieth of a clock's work.
+  static constexpr std::uint64_t look_clocks = 13;
+
   bool answered(int waited, char const* what, std::uint32_t address) {
     if (waited < 2000) return true;
     broken(std::string("s_axil: no answer to ") + what + std::to_string(address));
@@ -162,6 +178,30 @@ class edge_engine_host : public register_bus {
     m.s_axil_arvalid = offering_ar_;
     m.s_axil_araddr = static_cast<SData>(read_.address);
     m.s_axil_rready = sink_pace_.go();
+  }
+
+  // With the readies of the sinks turned over all else stays as it is.
+  void look_through() {
+    Model& m = *model_;
+    const auto seen = [&m] {
+      return std::array<bool, 8>{m.s_axis_tready != 0,  m.s_axis_map_tready != 0,   m.s_axil_awready != 0,       m.s_axil_wready != 0,
+                                 m.s_axil_arready != 0, m.table_write_valid_o != 0, m.normal_write_valid_o != 0, m.m_axis_tvalid != 0};
+    };
+    constexpr char const* names[] = {"s_axis", "s_axis_map", "s_axil_aw", "s_axil_w", "s_axil_ar", "table_write", "normal_write", "m_axis"};
+    const auto turn = [&m] {
+      m.m_axis_tready = !m.m_axis_tready;
+      m.table_write_ready_i = !m.table_write_ready_i;
+      m.normal_write_ready_i = !m.normal_write_ready_i;
+      m.eval();
+    };
+    const auto before = seen();
+    turn();
+    const auto after = seen();
+    turn();
+    for (std::size_t i = 0; i < before.size(); ++i)
+      if (before[i] != after[i])
+        broken(std::string(names[i]) +
+               (i < 5 ? ": its ready follows a sink's within the clock" : ": its valid follows a ready within the clock"));
   }
 
   // What moves at the edge, on the buses of words.
@@ -227,6 +267,7 @@ class edge_engine_host : public register_bus {
     quiet();
     offer();
     m.eval();
+    if (clocks % look_clocks == 0) look_through();
     take_words();
     take_access();
     m.aclk = 1;

@@ -1,6 +1,6 @@
 // held_word: the rule of a valid/ready link on the ports of a Verilated model: while valid and not ready, valid and the word hold.
 //   held_word h("name");  h.look(valid, ready, port)   in every clock, before the edge: what rule was broken, or nothing
-//   h.forget()  after a reset
+//   h.forget()  after a reset;  h.waits()  a word was not taken in the last clock
 #pragma once
 #include <cstdint>
 #include <string>
@@ -14,6 +14,8 @@ class held_word {
   explicit held_word(char const* name) : name_(name) {}
 
   void forget() { held_ = false; }
+  bool waits() const { return held_; }
+  char const* name() const { return name_; }
 
   template <class Port>
   std::string look(bool valid, bool ready, Port const& port) {

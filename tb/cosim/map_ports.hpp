@@ -2,6 +2,7 @@
 //   load(contents)    what they hold;  forget()  what was asked before a reset;  quiet(model)  nothing is answered or taken
 //   offer(model, clock)   their inputs to the model, before an edge;  take(model, clock)  its requests, at the edge
 //   error_next        in the next clock an answer is said to be none;  answered()  how many words went out
+//   stopped()         the port where a run that stands still waits for a memory, empty: none
 //   Only words of the map may be asked for: anything else goes to the failure hook, and is answered with word 0.
 #pragma once
 #include <array>
@@ -52,6 +53,15 @@ class map_ports {
   void load(map_contents const& c) { map_ = c; }
   std::uint64_t answered() const { return table_.answered + quad_.answered + place_.answered + normal_.answered; }
 
+  // An answer that is awaited, else a request that is not taken.
+  std::string stopped() const {
+    for (const bool awaited : {true, false})
+      for (std::string const& text : {table_.stopped("table", awaited), quad_.stopped("quad", awaited), place_.stopped("place", awaited),
+                                      normal_.stopped("normal", awaited)})
+        if (!text.empty()) return text;
+    return {};
+  }
+
   void offer(Model& m, std::uint64_t clock) {
     table_.offer(clock, m.table_req_ready_i, m.table_rsp_valid_i, m.table_rsp_i);
     quad_.offer(clock, m.quad_req_ready_i, m.quad_rsp_valid_i, m.quad_rsp_i);
@@ -80,7 +90,7 @@ class map_ports {
     port(bus_traffic const& t, std::uint64_t salt) : pace(t.stall, t.seed + 10 + salt), times(t, 20 + salt) {}
     struct lane {
       std::deque<std::pair<std::uint64_t, Answer>> answers;
-      bool ready = false;
+      bool ready = false, waits = false;
     };
     std::array<lane, Lanes> lanes;
     pacer pace;
@@ -88,6 +98,15 @@ class map_ports {
     std::uint64_t answered = 0;
 
     void forget() { lanes = {}; }
+    std::string stopped(std::string const& name, bool awaited) const {
+      for (std::size_t i = 0; i < lanes.size(); ++i) {
+        const std::string lane_name = Lanes == 1 ? std::string() : " of lane " + std::to_string(i);
+        if (awaited && !lanes[i].answers.empty())
+          return name + "_rsp" + lane_name + ": an answer does not come, " + std::to_string(lanes[i].answers.size()) + " are awaited";
+        if (!awaited && lanes[i].waits) return name + "_req" + lane_name + ": a word is not taken";
+      }
+      return {};
+    }
     template <class Bits, class Port>
     void offer(std::uint64_t clock, Bits& ready, Bits& valid, Port& rsp) {
       std::uint32_t readies = 0, valids = 0;
@@ -109,7 +128,9 @@ class map_ports {
     void take(std::uint64_t clock, Bits valid, Port const& req, LookUp look_up) {
       for (int i = 0; i < Lanes; ++i) {
         lane& l = lanes[static_cast<std::size_t>(i)];
-        if (((static_cast<std::uint32_t>(valid) >> i) & 1) == 0 || !l.ready) continue;
+        const bool asks = ((static_cast<std::uint32_t>(valid) >> i) & 1) != 0;
+        l.waits = asks && !l.ready;
+        if (!asks || !l.ready) continue;
         constexpr int width = hls::field_width<Request>::value;
         const auto request = hls::unpack<Request>(get_bits<(width + 7) / 8 * 8>(req, i * width, width));
         l.answers.push_back({times.due(clock, l.answers.empty() ? 0 : l.answers.back().first), look_up(request, i)});

@@ -99,7 +99,7 @@ class top_model : public model {
     const edge_engine_state state = host_.driver.state();
     host_.driver.check(state);
     if (host_.quiet_clocks() > watchdog_)
-      throw cosim_error("nothing moved for " + std::to_string(host_.quiet_clocks()) + " clocks, and " + what + "; " +
+      throw cosim_error(host_.stopped() + "; nothing moved for " + std::to_string(host_.quiet_clocks()) + " clocks, and " + what + "; " +
                             std::to_string(host_.base.size()) + " base triangles and " + std::to_string(host_.texels.size()) +
                             " texels wait, clock " + std::to_string(host_.clocks),
                         "top");

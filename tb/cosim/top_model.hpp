@@ -5,7 +5,7 @@
 //   add_top_model()          makes "top" one of the models of this program; it builds its maps when it is made, and runs any number of
 //   meshes make_top_model(sc, change)   one whose host does something else than the scene needs: change(job) before anything is written
 //   Errors: edge_engine_error, an input_error, when the engine's state register has an error code; cosim_error when a rule of a bus is
-//   broken or no word moves for settings.watchdog clocks.
+//   broken or no word moves for settings.watchdog clocks, and then begins with the link that stopped.
 #pragma once
 #include <cstdint>
 #include <deque>

@@ -2,7 +2,7 @@
 // order, after the traffic's clocks, with stalls.
 //   quiet, load, forget, offer, take   as tb/cosim/map_ports.hpp
 //   bad_beats          so many beats to come are answered with SLVERR, and with the right word
-//   bursts_of_two()    of the bursts so far
+//   bursts_of_two()    of the bursts so far;  stopped()  as tb/cosim/map_ports.hpp
 //   Checked: every address is one of a word of the map it is for, aligned; ar holds until it is taken; bursts are of whole words, one or,
 //   of texels and normals, two, and none crosses 4 KB. rlast comes with the last beat of each.
 #pragma once
@@ -42,6 +42,15 @@ class map_buses {
   void load(tb::map_contents const& c) { map_ = c; }
   std::uint64_t answered() const { return answered_; }
   std::uint64_t bursts_of_two() const { return bursts_of_two_; }
+  std::string stopped() const {
+    for (bus const* b : {&table_, &quad_, &place_, &normal_})
+      if (!b->beats.empty())
+        return std::string(b->name) + (b->offered ? "_r: a beat is not taken" : "_r: a beat does not come") + ", " +
+               std::to_string(b->beats.size()) + " are awaited";
+    for (bus const* b : {&table_, &quad_, &place_, &normal_})
+      if (b->hold.waits()) return std::string(b->name) + "_ar: a word is not taken";
+    return {};
+  }
   // After a reset.
   void forget() {
     for (bus* b : {&table_, &quad_, &place_, &normal_}) {
