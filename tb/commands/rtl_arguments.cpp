@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "tb/commands/reporting.hpp"
+#include "tb/cosim/limited_by.hpp"
 #include "tb/cosim/rtl_model.hpp"
 #include "tb/cosim/top_model.hpp"
 #include "tb/cosim/waveform.hpp"
@@ -75,28 +76,6 @@ void rtl_arguments::apply(std::vector<std::string> const& models) const {
 
 namespace {
 
-double busy(link_report const& l) {
-  const std::uint64_t clocks = l.moved + l.waited + l.idle;
-  return clocks == 0 ? 0 : static_cast<double>(l.moved) / static_cast<double>(clocks);
-}
-
-// What took the clocks: a memory that answered in nearly all of them, or that as many reads as the circuit allows waited for; a sink or a
-// source that made words wait is named by its rows. Else the round of a triangle, of which too few were under way.
-std::string limit(cosim_result const& r) {
-  link_report const* busiest = nullptr;
-  link_report const* fullest = nullptr;
-  for (link_report const& l : r.links) {
-    if (!l.answers || l.moved == 0) continue;
-    if (busiest == nullptr || busy(l) > busy(*busiest)) busiest = &l;
-    const auto full = [](link_report const& x) { return x.in_flight / static_cast<double>(x.most_in_flight); };
-    if (l.most_in_flight > 16 && (fullest == nullptr || full(l) > full(*fullest))) fullest = &l;
-  }
-  if (busiest != nullptr && busy(*busiest) >= 0.9) return busiest->name + ": one in nearly every clock";
-  if (fullest != nullptr && fullest->in_flight >= 0.8 * static_cast<double>(fullest->most_in_flight))
-    return fullest->name + ": latency, no more are awaited at once";
-  return "no memory: the way of a triangle through the pipeline, or traffic on the other links";
-}
-
 double per(std::uint64_t clocks, std::uint64_t n) { return n == 0 ? 0.0 : static_cast<double>(clocks) / static_cast<double>(n); }
 
 void print_clocks(std::uint64_t clocks, std::uint64_t edge_tests, std::uint64_t triangles) {
@@ -121,7 +100,7 @@ void print_rtl(std::uint64_t edge_tests, std::uint64_t triangles) {
       if (l.most_in_flight != 0) row += text;
       print_row("  memory", row);
     }
-  print_row("  limited by", limit(r));
+  print_row("  limited by", limited_by(r));
 }
 
 nlohmann::json rtl_to_json(std::uint64_t edge_tests) {
@@ -133,9 +112,9 @@ nlohmann::json rtl_to_json(std::uint64_t edge_tests) {
     links[l.name] = {{"moved", l.moved}, {"waited", l.waited}, {"idle", l.idle}};
     if (l.answers) memories[l.name] = {{"reads", l.moved}, {"in_flight", l.in_flight}, {"most_in_flight", l.most_in_flight}};
   }
-  return {{"cycles", r.clocks},     {"cycles_per_edge_test", per(r.clocks, edge_tests)},
-          {"stall_cycles", stalls}, {"memory_reads", memories},
-          {"limited_by", limit(r)}, {"links", links}};
+  return {{"cycles", r.clocks},          {"cycles_per_edge_test", per(r.clocks, edge_tests)},
+          {"stall_cycles", stalls},      {"memory_reads", memories},
+          {"limited_by", limited_by(r)}, {"links", links}};
 }
 
 void print_top(std::uint64_t edge_tests, std::uint64_t triangles) {

@@ -74,7 +74,10 @@ class engine_device : public sc_core::sc_module {
     dont_initialize();
   }
   // A model's parts look for their context in the thread, where another model's may be the last that was set, and gone.
-  ~engine_device() override { Verilated::threadContextp(&context_); }
+  ~engine_device() override {
+    Verilated::threadContextp(&context_);
+    model_->final();
+  }
 
   bool start = false;
   hls::engine_regs regs{};
@@ -86,7 +89,6 @@ class engine_device : public sc_core::sc_module {
     for (int i = 0; i < hls::top::counter_words; ++i) list.push_back(get_bits<64>(model_->counters_o, 64 * i, 64).limb[0]);
     return list;
   }
-  void finish() { model_->final(); }
   waveform<Model>& wave() { return *wave_; }
 
  private:
