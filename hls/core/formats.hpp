@@ -57,6 +57,20 @@ struct format {
   /* sweep */                                                                                                  \
   X(grid,              16,  16, true)   /* position on the voxel grid, any axis */                             \
   X(steps,             16,  16, false)  /* steps of an edge, and places on it */                               \
+  X(colour,            16,   1, false)  /* component of a colour, 15 fractional bits: 1.0 is a value */        \
+  X(w_mantissa,        24,   0, false)  /* w, normalised to [1/2, 1) */                                        \
+  X(inverse_w,         27,   1, false)  /* c: 1/w times the power of two of its block, 26 fractional bits */   \
+  X(interp_position,   28,   4, true)   /* P c, 24 fractional bits */                                          \
+  X(interp_unit,       28,   2, true)   /* N c, T c (26) */                                                    \
+  X(interp_coordinate, 28,  15, true)   /* U c (13) */                                                         \
+  X(interp_colour,     28,   2, true)   /* C c (26) */                                                         \
+  X(interp_c,          28,   2, true)   /* c (26) */                                                           \
+  X(step_position,     48,   8, true)   /* the same with 16 guard bits behind them, modulo 2^48 (40) */        \
+  X(step_unit,         48,   6, true)   /* (42) */                                                             \
+  X(step_coordinate,   48,  19, true)   /* (29) */                                                             \
+  X(step_colour,       48,   6, true)   /* (42) */                                                             \
+  X(step_c,            48,   6, true)   /* (42) */                                                             \
+  X(correction,        26,   2, false)  /* 1/c, normalised to [1, 2], 24 fractional bits */                    \
   /* bookkeeping */                                                                                            \
   X(generation,         4,   4, false)  /* generation of an edge, 0..15 */                                     \
   X(weight,             5,   5, false)  /* place of a split on its edge in sixteenths, 0..16; 8 is the middle */      \

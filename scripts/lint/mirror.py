@@ -42,6 +42,7 @@ NO_TWIN = {
     "golden/edge/redecision_summary.hpp": "its summary for the report",
     "golden/edge/edge_trace.hpp": "what an observer sees of an edge; a circuit has none",
     "golden/surface/memories.hpp": "the memories that a kernel has as ports",
+    "golden/sweep/interpolated_vertex.hpp": "a vertex from its name; in the kernel the walk carries the data by additions",
 }
 # Kernel headers that are no circuit, and what the circuit has in their place.
 NO_CIRCUIT = {

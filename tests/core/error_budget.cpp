@@ -24,6 +24,7 @@
 #include "tests/support/document_table.hpp"
 #include "tests/support/draw.hpp"
 #include "tests/support/settings.hpp"
+#include "tests/support/sweep_errors.hpp"
 
 namespace {
 
@@ -127,7 +128,7 @@ double measure_displace_vertex(draw& d, random_map const& map) {
 
 std::map<std::string, measurement> const& measurements() {
   using map = random_map const&;
-  static const std::map<std::string, measurement> all = {
+  static const std::map<std::string, measurement> own = {
       {"normalize unit",
        [](draw& d, map, map) {
          const normalize_in in{d.words<formats::direction>(-8, 8), false};
@@ -215,6 +216,12 @@ std::map<std::string, measurement> const& measurements() {
       {"summed_height_test sample", [](draw& d, map rough, map) { return measure_summed_height(d, rough); }},
       {"profile_test sample", [](draw& d, map, map smooth) { return measure_profile(d, smooth); }},
   };
+  static const std::map<std::string, measurement> all = [] {
+    std::map<std::string, measurement> both = own;
+    for (auto const& m : test::sweep_measurements())
+      both[m.first] = [one = m.second](draw& d, random_map const&, random_map const&) { return one(d); };
+    return both;
+  }();
   return all;
 }
 
