@@ -13,6 +13,15 @@
 namespace relievo {
 namespace hls {
 
+namespace detail {
+// Half up, of integers; the denominator is above 0, and twice the numerator and the denominator fit 63 bits together.
+inline std::int64_t rounded_quotient(std::int64_t numerator, std::int64_t denominator) {
+  const std::int64_t dividend = 2 * numerator + denominator, divisor = 2 * denominator;
+  const std::int64_t truncated = dividend / divisor;
+  return truncated - (truncated * divisor > dividend ? 1 : 0);
+}
+}  // namespace detail
+
 template <class To, class N, class D>
 inline fixed<To> divide(fixed<N> numerator, fixed<D> denominator, bool& clipped) {
   constexpr int shift = To::fraction - N::fraction + D::fraction;
@@ -25,9 +34,7 @@ inline fixed<To> divide(fixed<N> numerator, fixed<D> denominator, bool& clipped)
     clipped = true;
     return from_raw<To>(raw(numerator) < 0 ? fixed<To>::min_raw : fixed<To>::max_raw);
   }
-  const std::int64_t dividend = raw(numerator) * (std::int64_t(1) << (shift + 1)) + d;
-  const std::int64_t truncated = dividend / (2 * d);
-  const std::int64_t quotient = truncated - (truncated * 2 * d > dividend ? 1 : 0);
+  const std::int64_t quotient = detail::rounded_quotient(raw(numerator) * (std::int64_t(1) << shift), d);
   return round_to<To>(from_raw<format<64, 64 - To::fraction, true>>(quotient), clipped);
 }
 

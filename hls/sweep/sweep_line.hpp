@@ -2,7 +2,9 @@
 //   Gumhold & Huettner 1999, 3.4, Figure 5 (the core of the remeshing), Figure 10
 //   main_direction of each edge -> primary_edge -> remeshing_plane -> case_selection -> sub_triangle_remeshing, once or twice
 //   in    p   grid[3][3], from -32767 to 32767
+//         data  walk_data of the triangle, from difference_vertices; none for a walk of names alone, which sweep_line is
 //   out   primitives: step() gives the next and says whether it is the last. All corners equal: the one triangle of corners 0, 1, 2.
+//         With data those of its vertices too; of a corner and of what is no vertex they are 0.
 //   Guarantees, by identity of the vertices: an edge of n steps has the vertices 0..n in any triangle that has the edge (n = 0: its two
 //   corners); what lies between is without gap or overlap in the remeshing plane; corners on one line give triangles of no area.
 //   exact; initiation interval 1: a primitive a clock without a pause, also from strip to strip and between the sub-triangles, so a
@@ -53,45 +55,59 @@ inline sweep_setup set_up(sweep_line_in const& in) {
   return out;
 }
 
-class sweep_line {
+template <class Data>
+class sweep_line_of {
  public:
-  void start(sweep_line_in const& in) {
+  void start(sweep_line_in const& in) { start(in, set_up(in), walk_data<Data>()); }
+  void start(sweep_line_in const& in, sweep_setup const& setup, walk_data<Data> const& data) {
     for (int i = 0; i < 3; ++i)
       for (int axis = 0; axis < 3; ++axis) now_.p[i][axis] = in.p[i][axis];
-    setup_ = set_up(in);
+    setup_ = setup;
+    data_ = data;
     now_.plane = setup_.plane;
     second_ = !setup_.cases.sub[0].valid;
     if (detail::of(setup_.cases.kind) != point_case) start_sub();
   }
 
   // One clock, one primitive. Returns whether it was the last.
-  bool step(primitive& out) {
+  bool step(primitive& out, Data (&data)[4]) {
     if (detail::of(setup_.cases.kind) == point_case) {
       out = primitive();
-      for (int i = 0; i < 3; ++i) out.v[i] = detail::corner_of(i);
+      for (int i = 0; i < 3; ++i) {
+        out.v[i] = detail::corner_of(i);
+        data[i] = Data();
+      }
+      data[3] = Data();
       return true;
     }
-    if (!remeshing_.step(out)) return false;
+    if (!remeshing_.step(out, data)) return false;
     if (second_ || !setup_.cases.sub[1].valid) return true;
     second_ = true;
     start_sub();
     return false;
   }
+  bool step(primitive& out) {
+    Data data[4];
+    return step(out, data);
+  }
 
   sweep_setup const& setup() const { return setup_; }
-  sub_triangle_remeshing const& remeshing() const { return remeshing_; }
+  sub_triangle_remeshing_of<Data> const& remeshing() const { return remeshing_; }
 
  private:
   void start_sub() {
     now_.sub = setup_.cases.sub[second_ ? 1 : 0];
-    remeshing_.start(now_);
+    remeshing_.start(now_, data_);
   }
 
   sub_triangle_remeshing_in now_;
   sweep_setup setup_;
-  sub_triangle_remeshing remeshing_;
+  walk_data<Data> data_;
+  sub_triangle_remeshing_of<Data> remeshing_;
   bool second_ = false;
 };
+
+using sweep_line = sweep_line_of<no_data>;
 
 }  // namespace hls
 }  // namespace relievo

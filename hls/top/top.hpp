@@ -1,7 +1,8 @@
 // top: the synthesizable entry points, one .cpp each; what a host, a test or a tool's script calls.
 //
 //   One call of a unit takes one word and gives one word: the tool pipelines calls, initiation interval as the unit's header says.
-//   One call of a builder is one map, one of sweep_line a triangle, one of the engine a mesh: they loop over their input, and start fresh.
+//   One call of a builder is one map, one of difference_vertices, sweep_line or sweep_vertices a triangle, one of the engine a mesh:
+//   they loop over their input, and start fresh.
 //   in, out    port<record>: one packed word a record (hls/core/packed.hpp: fields from bit 0 in their order, padded to 8 bits)
 //   regs, map  packed too, constant while the call runs
 //   memories   read-only words, one per texel, as hls/surface/map_regs.hpp says
@@ -13,6 +14,8 @@
 #include "hls/edge/engine.hpp"
 #include "hls/surface/normal_map.hpp"
 #include "hls/surface/summed_area_table.hpp"
+#include "hls/sweep/perspective_correction.hpp"
+#include "hls/sweep/perspective_preparation.hpp"
 #include "hls/sweep/sweep_line.hpp"
 
 namespace relievo {
@@ -63,9 +66,36 @@ struct swept_primitive {
   RELIEVO_FIELDS(p, last)
 };
 
+// A triangle on the grid and its plane. The data of its corners follow on a port of their own, nine words: corner[0..2], then the two
+// ends of edge 0, of edge 1, of edge 2, as in difference_vertices_in.
+struct placed_triangle {
+  fixed<formats::grid> p[3][3];
+  remeshing_plane_out plane;
+  RELIEVO_FIELDS(p, plane)
+};
+// A primitive with the data of its vertices.
+struct swept_vertices {
+  primitive p;
+  vertex_steps data[4];
+  bool last;
+  RELIEVO_FIELDS(p, data, last)
+};
+
 constexpr int queue_depth = 49;      // 3 M + 4 for the largest limit of generations, M = 15
 constexpr int counter_words = 23;    // hls/edge/counters.hpp, in its order, splits[4] one after the other
 constexpr int largest_width = 8192;  // texels in a line of the builders
+
+// The triangle of which `corners` has the data.
+inline difference_vertices_in with_corners(placed_triangle const& triangle, port<interpolants>& corners) {
+  difference_vertices_in in;
+  in.plane = triangle.plane;
+  for (int i = 0; i < 3; ++i)
+    for (int axis = 0; axis < 3; ++axis) in.p[i][axis] = triangle.p[i][axis];
+  for (int i = 0; i < 3; ++i) in.corner[i] = unpack<interpolants>(corners.read());
+  for (int edge = 0; edge < 3; ++edge)
+    for (int end = 0; end < 2; ++end) in.end[edge][end] = unpack<interpolants>(corners.read());
+  return in;
+}
 
 }  // namespace top
 }  // namespace hls
@@ -119,7 +149,17 @@ void relievo_remeshing_plane(relievo::hls::port<relievo::hls::remeshing_plane_in
                              relievo::hls::port<relievo::hls::remeshing_plane_out>& out);
 void relievo_case_selection(relievo::hls::port<relievo::hls::case_selection_in>& in,
                             relievo::hls::port<relievo::hls::case_selection_out>& out);
+void relievo_perspective_preparation(relievo::hls::port<relievo::hls::perspective_preparation_in>& in,
+                                     relievo::hls::port<relievo::hls::interpolants>& out);
+void relievo_difference_vertices(relievo::hls::port<relievo::hls::top::placed_triangle>& in,
+                                 relievo::hls::port<relievo::hls::interpolants>& corners,
+                                 relievo::hls::port<relievo::hls::difference_vertices_out>& out);
+void relievo_perspective_correction(relievo::hls::port<relievo::hls::perspective_correction_in>& in,
+                                    relievo::hls::port_word<relievo::hls::perspective_correction_regs> regs,
+                                    relievo::hls::port<relievo::hls::perspective_correction_out>& out);
 void relievo_sweep_line(relievo::hls::port<relievo::hls::sweep_line_in>& in, relievo::hls::port<relievo::hls::top::swept_primitive>& out);
+void relievo_sweep_vertices(relievo::hls::port<relievo::hls::sweep_line_in>& in, relievo::hls::port<relievo::hls::interpolants>& corners,
+                            relievo::hls::port<relievo::hls::top::swept_vertices>& out);
 
 void relievo_engine(relievo::hls::port<relievo::hls::top::base_triangle>& in, relievo::hls::port_word<relievo::hls::engine_regs> regs,
                     std::uint16_t const* texels, std::uint64_t const* table, std::uint64_t const* normals,

@@ -34,8 +34,9 @@ NO_TEST = {
     "hls/edge/engine_regs.hpp": "a record",
     "hls/edge/counters.hpp": "a record",
     "hls/sweep/remeshed.hpp": "records",
+    "hls/sweep/vertex_data.hpp": "records",
 }
-# Headers of golden/ alone, and why there is no kernel of that name.
+# Headers of one tree alone, and why the other has none of that name.
 NO_TWIN = {
     "golden/edge/decision_bounds.hpp": "how far golden may lie from the ideal",
     "golden/edge/redecide.hpp": "the ideal's second opinion on golden's decisions",
@@ -43,6 +44,9 @@ NO_TWIN = {
     "golden/edge/edge_trace.hpp": "what an observer sees of an edge; a circuit has none",
     "golden/surface/memories.hpp": "the memories that a kernel has as ports",
     "golden/sweep/interpolated_vertex.hpp": "a vertex from its name; in the kernel the walk carries the data by additions",
+    "hls/sweep/walk_data.hpp": "what the walk adds; golden multiplies, in interpolated_vertex",
+    "hls/sweep/walk_registers.hpp": "how the walk holds its vertices; golden has lists",
+    "hls/sweep/walked_edge.hpp": "the walk's counters; golden divides",
 }
 # Kernel headers that are no circuit, and what the circuit has in their place.
 NO_CIRCUIT = {
@@ -65,6 +69,7 @@ NO_CIRCUIT = {
     "hls/edge/engine_regs.hpp": "a record",
     "hls/edge/counters.hpp": "a record",
     "hls/sweep/remeshed.hpp": "records",
+    "hls/sweep/vertex_data.hpp": "records",
 }
 
 

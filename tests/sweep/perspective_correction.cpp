@@ -1,0 +1,270 @@
+// perspective_correction: against the exact quotients of its words, and against the surface that was interpolated; what saturates and
+// what does not; the limit; c is above 0 for all w.
+#include "hls/sweep/perspective_correction.hpp"
+
+#include <gtest/gtest.h>
+
+#include "hls/sweep/sweep_line.hpp"
+#include "tests/support/swept_data.hpp"
+
+namespace relievo::test {
+namespace {
+
+using vector = stimulus<hls::perspective_correction_in, hls::perspective_correction_regs>;
+
+template <class F>
+long double value(hls::fixed<F> x) {
+  return std::ldexp(static_cast<long double>(raw(x)), -F::fraction);
+}
+template <class F>
+constexpr long double lsb_of = std::int64_t{1} / static_cast<long double>(std::int64_t{1} << F::fraction);
+
+// Words of a vertex: c in (0, 1] and a little above, and in one of two the attributes are within their formats.
+void domain(vector& v, generator& g) {
+  auto& c = v.in.v.c;
+  const std::int64_t one = std::int64_t{1} << formats::step_c::fraction;
+  std::int64_t word = raw(c) & (2 * one - 1);
+  if (word > one + one / 1024 || word == 0) word = (word & (one - 1)) + 1;
+  if (!g.chance(4)) word = std::max<std::int64_t>(word >> g.below(16), 1);
+  c = hls::from_raw<formats::step_c>(word);
+  if (g.chance(2)) return;
+  const hls::base_vertex given = draw_vertex(g);
+  hls::for_attributes(
+      [&](auto& x, auto const& a) {
+        using step = typename std::remove_reference_t<decltype(x)>::format_type;
+        x = hls::from_raw<step>(std::llround(std::ldexp(value(a) * value(c), step::fraction)) + g.between(-4, 4));
+      },
+      v.in.v, given);
+}
+
+// s0_c and s1_w are right to 2^-25 of themselves each; s1_x to half an LSB, times at most 2; s2 to half an LSB.
+template <class Interp, class Out>
+long double bound(long double exact) {
+  return std::abs(exact) * std::ldexp(1.0L, -24) * 1.0000002L + lsb_of<Interp> + lsb_of<Out> / 2;
+}
+
+testing::AssertionResult near_the_quotient(vector const& v) {
+  const auto out = hls::perspective_correction(v.in, v.regs);
+  const auto fails = [&](char const* what) { return testing::AssertionFailure() << what << "\n" << describe(out); };
+  const long double c = value(v.in.v.c);
+  const long double normalised = std::ldexp(c, static_cast<int>(raw(out.shift)));
+  if (c < 1 ? normalised < 0.5L || normalised >= 1 : raw(out.shift) != 0) return fails("the shift");
+  if (std::abs(value(out.w_correction) * normalised - 1) > std::ldexp(1.0L, -24)) return fails("1/c");
+  if (out.saturated) return testing::AssertionSuccess();
+  for (int i = 0; i < 3; ++i) {
+    const long double p = value(v.in.v.p[i]) / c;
+    if (std::abs(value(out.p[i]) - p) > bound<formats::interp_position, formats::position>(p)) return fails("p");
+  }
+  for (int i = 0; i < 2; ++i) {
+    const long double u = value(v.in.v.u[i]) / c, right = std::min(std::max(u, 0.0L), value(v.regs.limit[i]));
+    if (out.u[i] > v.regs.limit[i]) return fails("u beyond the limit");
+    if (std::abs(value(out.u[i]) - right) > bound<formats::interp_coordinate, formats::coordinate>(u)) return fails("u");
+  }
+  for (int i = 0; i < 4; ++i) {
+    const long double colour = value(v.in.v.colour[i]) / c;
+    if (std::abs(value(out.colour[i]) - std::max(colour, 0.0L)) > bound<formats::interp_colour, formats::colour>(colour))
+      return fails("colour");
+  }
+  return testing::AssertionSuccess();
+}
+
+TEST(perspective_correction, is_near_the_quotient_of_its_words) { for_vectors<vector>(domain, near_the_quotient); }
+
+hls::perspective_correction_regs whole_range() {
+  const auto most = hls::from_raw<formats::coordinate>(hls::fixed<formats::coordinate>::max_raw);
+  return {{most, most}};
+}
+
+// A vertex with c = 1/2: attributes of twice what the words say.
+vector half() {
+  vector v{};
+  v.in.v.c = hls::from_raw<formats::step_c>(std::int64_t{1} << (formats::step_c::fraction - 1));
+  v.in.v.n[2] = hls::from_raw<formats::step_unit>(std::int64_t{1} << (formats::step_unit::fraction - 1));
+  v.in.v.t[0] = hls::from_raw<formats::step_unit>(std::int64_t{1} << (formats::step_unit::fraction - 1));
+  v.regs = whole_range();
+  return v;
+}
+
+TEST(perspective_correction, saturation_is_counted_and_what_is_none_is_not) {
+  const auto saturated = [](vector const& v) { return hls::perspective_correction(v.in, v.regs).saturated; };
+  EXPECT_FALSE(saturated(half()));
+  vector p = half();
+  p.in.v.p[1] = hls::from_raw<formats::step_position>(std::int64_t{4} << formats::step_position::fraction);
+  EXPECT_TRUE(saturated(p)) << "8 is no position";
+  p.in.v.p[1] = hls::from_raw<formats::step_position>(-(std::int64_t{4} << formats::step_position::fraction));
+  EXPECT_FALSE(saturated(p)) << "-8 is one";
+  vector u = half();
+  u.in.v.u[0] = hls::from_raw<formats::step_coordinate>(-(std::int64_t{1} << formats::step_coordinate::fraction));
+  EXPECT_FALSE(saturated(u));
+  EXPECT_EQ(raw(hls::perspective_correction(u.in, u.regs).u[0]), 0);
+  u.in.v.u[0] = hls::from_raw<formats::step_coordinate>(std::int64_t{100} << formats::step_coordinate::fraction);
+  u.regs.limit[0] = hls::from_raw<formats::coordinate>(std::int64_t{199} << formats::coordinate::fraction);
+  EXPECT_FALSE(saturated(u)) << "the limit is no saturation";
+  EXPECT_EQ(raw(hls::perspective_correction(u.in, u.regs).u[0]), raw(u.regs.limit[0]));
+  u.regs.limit[0] = hls::from_raw<formats::coordinate>(std::int64_t{201} << formats::coordinate::fraction);
+  EXPECT_EQ(raw(hls::perspective_correction(u.in, u.regs).u[0]), std::int64_t{200} << formats::coordinate::fraction);
+  vector colour = half();
+  colour.in.v.colour[3] = hls::from_raw<formats::step_colour>(-1);
+  EXPECT_FALSE(saturated(colour));
+  colour.in.v.colour[3] = hls::from_raw<formats::step_colour>(std::int64_t{1} << formats::step_colour::fraction);
+  EXPECT_TRUE(saturated(colour)) << "2 is no colour";
+}
+
+TEST(perspective_correction, normals_and_tangents_are_of_length_1) {
+  for_vectors<vector>(
+      domain,
+      [](vector const& v) {
+        const auto out = hls::perspective_correction(v.in, v.regs);
+        for (auto const& n : {out.n, out.t}) {
+          const long double square = value(n[0]) * value(n[0]) + value(n[1]) * value(n[1]) + value(n[2]) * value(n[2]);
+          if (std::abs(square - 1) > 2 * 1.7321L / (1 << 15) + 1e-8L)
+            return testing::AssertionFailure() << "length " << std::sqrt(static_cast<double>(square));
+        }
+        return testing::AssertionSuccess();
+      },
+      vector_count() / 10);
+  const vector nothing = [] {
+    vector v = half();
+    v.in.v.n[2] = v.in.v.t[0] = {};
+    return v;
+  }();
+  const auto out = hls::perspective_correction(nothing.in, nothing.regs);
+  EXPECT_EQ(raw(out.n[2]), 1 << 14);
+  EXPECT_EQ(raw(out.t[0]), 1 << 14);
+}
+
+// From raw w = 2 on every block has c above 0 at its farthest corner, and so at whatever lies between its corners.
+TEST(perspective_correction, c_is_above_0_for_all_w) {
+  const auto depth = [](std::int64_t w) { return hls::from_raw<formats::depth>(w); };
+  const depth_word farthest = depth(hls::fixed<formats::depth>::max_raw);
+  for (int bit = 1; bit < 28; ++bit)
+    for (const std::int64_t nearest : {std::int64_t{1} << bit, (std::int64_t{2} << bit) - 1}) {
+      const auto block = hls::block_exponent(depth(nearest), farthest);
+      EXPECT_GT(raw(hls::perspective_preparation({{}, farthest, block}).c), 0) << "w from " << nearest << " on";
+    }
+}
+
+// ---- against the surface --------------------------------------------------------------------------------------------------
+
+struct worst {
+  long double of_bound = 0;
+  std::uint64_t vertices = 0;
+};
+
+// At a vertex of depth w the block's c is more than w_min / (2 w). In LSB of interp, R the range of the attribute in the triangle:
+//   corners      c to half an LSB, R (2^-27 / LSB); the attribute times c to half an LSB
+//   steps        a quarter: 2 x 16,383 of them rounded by half a 2^-16 of an LSB; that of c times the attribute
+//   all over c   2 w / w_min
+//   w's mantissa R 2^-24;  the correction as above
+template <class Interp, class Out>
+long double surface_bound(long double exact, long double range, long double w_ratio) {
+  const long double corner = range * std::ldexp(1.0L, -27) + lsb_of<Interp> / 2;
+  const long double steps = lsb_of<Interp> / 4 + std::abs(exact) * std::ldexp(1.0L, -28);
+  return (corner + steps) * 2 * w_ratio * 1.001L + range * std::ldexp(1.0L, -24) * 1.001L + bound<Interp, Out>(exact);
+}
+
+// What the attribute is at the barycentric place: the sum of l_i a_i / w_i over that of l_i / w_i.
+struct place {
+  std::array<long double, 3> over_w;
+  template <class F>
+  long double operator()(std::array<hls::fixed<F>, 3> const& a) const {
+    return (over_w[0] * value(a[0]) + over_w[1] * value(a[1]) + over_w[2] * value(a[2])) / (over_w[0] + over_w[1] + over_w[2]);
+  }
+};
+
+class surface {
+ public:
+  testing::AssertionResult operator()(generator& g, grid_triangle const& p) {
+    const swept_triangle triangle = draw_swept(g, p);
+    walk_.start(corners_of(p), triangle.setup, hls::walk_data_of(triangle.in, hls::difference_vertices(triangle.in)));
+    for (bool last = false; !last;) {
+      hls::primitive out;
+      hls::vertex_steps data[4];
+      last = walk_.step(out, data);
+      for (int i = 0; i < (out.quad ? 4 : 3); ++i) {
+        if (raw(out.v[i].kind) == hls::corner_vertex) continue;
+        const auto result = near_enough(triangle, out.v[i], data[i]);
+        if (!result)
+          return testing::AssertionFailure() << text_of(p) << " " << text_of(out.v[i]) << ": " << result.message() << describe(triangle.in);
+      }
+    }
+    return testing::AssertionSuccess();
+  }
+  ~surface() {
+    std::printf("%llu vertices, of the bound at most: p %.3f, u %.3f, colour %.3f\n", static_cast<unsigned long long>(p_.vertices),
+                static_cast<double>(p_.of_bound), static_cast<double>(u_.of_bound), static_cast<double>(colour_.of_bound));
+  }
+
+ private:
+  testing::AssertionResult near_enough(swept_triangle const& triangle, hls::remeshed_vertex const& name, hls::vertex_steps const& data) {
+    if (raw(data.c) <= 0) return testing::AssertionFailure() << "c is not above 0";
+    const std::array<long double, 3> weight = barycentric(triangle, name);
+    place at{};
+    long double inverse = 0, nearest = 1e30L;
+    for (std::size_t i = 0; i < 3; ++i) {
+      at.over_w[i] = weight[i] / value(triangle.w[i]);
+      inverse += at.over_w[i];
+      // The corners of the vertex's block.
+      if (raw(name.kind) == hls::grid_vertex || weight[i] != 0) nearest = std::min(nearest, value(triangle.w[i]));
+    }
+    const long double ratio = 1 / inverse / nearest;
+    const auto out = hls::perspective_correction({data}, whole_range());
+    const auto check = [&](worst& most, auto interp, auto word, auto const& corner) {
+      using out_format = typename decltype(word)::format_type;
+      const long double exact = at(corner), a = value(corner[0]), b = value(corner[1]), c = value(corner[2]);
+      const long double range = std::max({a, b, c}) - std::min({a, b, c});
+      const long double share = std::abs(value(word) - exact) / surface_bound<decltype(interp), out_format>(exact, range, ratio);
+      most.of_bound = std::max(most.of_bound, share);
+      ++most.vertices;
+      return share <= 1;
+    };
+    bool good = true;
+    auto const& v = triangle.vertex;
+    for (std::size_t i = 0; i < 3; ++i)
+      good &= check(p_, formats::interp_position(), out.p[i], std::array{v[0].p[i], v[1].p[i], v[2].p[i]});
+    for (std::size_t i = 0; i < 2; ++i)
+      good &= check(u_, formats::interp_coordinate(), out.u[i], std::array{v[0].u[i], v[1].u[i], v[2].u[i]});
+    for (std::size_t i = 0; i < 4; ++i)
+      good &= check(colour_, formats::interp_colour(), out.colour[i], std::array{v[0].colour[i], v[1].colour[i], v[2].colour[i]});
+    return good ? testing::AssertionSuccess()
+                : testing::AssertionFailure() << "beyond the bound, w / w_min " << static_cast<double>(ratio) << "\n"
+                                              << describe(out);
+  }
+
+  static std::array<long double, 3> barycentric(swept_triangle const& triangle, hls::remeshed_vertex const& name) {
+    std::array<long double, 3> weight{};
+    if (raw(name.kind) == hls::edge_vertex) {
+      const auto e = static_cast<std::size_t>(raw(name.number)), low = triangle.canonical(e), high = low == e ? (e + 1) % 3 : e;
+      weight[high] = static_cast<long double>(raw(name.i)) / static_cast<long double>(triangle.steps(e));
+      weight[low] = 1 - weight[high];
+      return weight;
+    }
+    const auto s = static_cast<std::size_t>(raw(triangle.in.plane.s)), t = static_cast<std::size_t>(raw(triangle.in.plane.t));
+    const auto area = [&](std::int64_t as, std::int64_t at, std::int64_t bs, std::int64_t bt) {
+      return static_cast<long double>((as - raw(name.s)) * (bt - raw(name.t)) - (at - raw(name.t)) * (bs - raw(name.s)));
+    };
+    long double whole = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      grid_point const &a = triangle.p[(i + 1) % 3], &b = triangle.p[(i + 2) % 3];
+      weight[i] = area(a[s], a[t], b[s], b[t]);
+      whole += weight[i];
+    }
+    for (long double& one : weight) one /= whole;
+    return weight;
+  }
+
+  hls::sweep_line_of<hls::vertex_steps> walk_;
+  worst p_, u_, colour_;
+};
+
+TEST(perspective_correction, every_vertex_lies_on_the_surface) {
+  surface check;
+  generator g = next_generator();
+  for (std::uint64_t round = 0; round < vector_count() / 1000; ++round) ASSERT_TRUE(check(g, draw_triangle(g, 12)));
+  for (std::uint64_t round = 0; round < vector_count() / 10000; ++round) ASSERT_TRUE(check(g, draw_triangle(g, 60)));
+  for (std::uint64_t round = 0; round < vector_count() / 5000; ++round) ASSERT_TRUE(check(g, draw_sliver(g, 400)));
+  for (std::uint64_t round = 0; round < vector_count() / 200000; ++round) ASSERT_TRUE(check(g, draw_sliver(g, 16383)));
+}
+
+}  // namespace
+}  // namespace relievo::test

@@ -1,0 +1,129 @@
+// walk_data: every vertex that a walk puts out has the data of its name, exact modulo 2^48, whichever way the walk came to it; the names
+// are those of a walk of names alone, and so are the additions.
+#include "hls/sweep/walk_data.hpp"
+
+#include <gtest/gtest.h>
+
+#include "hls/sweep/sweep_line.hpp"
+#include "tests/support/swept_data.hpp"
+
+namespace relievo::test {
+namespace {
+
+using data_walk = hls::sweep_line_of<hls::vertex_steps>;
+
+// Every component by itself: a 2^16 + x b + y c, its lower 48 bits.
+hls::vertex_steps sum(hls::interpolants const& a, std::int64_t x, hls::vertex_steps const& b, std::int64_t y, hls::vertex_steps const& c) {
+  hls::vertex_steps out;
+  hls::for_components(
+      [x, y](auto& word, auto const& wa, auto const& wb, auto const& wc) {
+        const auto part = [](std::int64_t k, std::int64_t d) { return static_cast<std::uint64_t>(k) * static_cast<std::uint64_t>(d); };
+        const std::uint64_t exact = part(raw(wa), 1 << 16) + part(x, raw(wb)) + part(y, raw(wc));
+        word = std::remove_reference_t<decltype(word)>::from_raw(static_cast<std::int64_t>(exact << 16) >> 16);
+      },
+      out, a, b, c);
+  return out;
+}
+hls::vertex_steps data_of(hls::difference_vertices_in const& in, hls::difference_vertices_out const& d, hls::remeshed_vertex const& v) {
+  if (raw(v.kind) == hls::edge_vertex) return sum(in.end[raw(v.number)][0], raw(v.i), d.edge[raw(v.number)], 0, d.side);
+  if (raw(v.kind) == hls::corner_vertex) return {};
+  auto const& a = in.p[raw(in.plane.a)];
+  return sum(in.corner[raw(in.plane.a)], raw(v.s) - raw(a[raw(in.plane.s)]), d.sweep, raw(v.t) - raw(a[raw(in.plane.t)]), d.side);
+}
+
+class swept {
+ public:
+  testing::AssertionResult operator()(generator& g, grid_triangle const& p) {
+    const swept_triangle triangle = draw_swept(g, p);
+    const auto differences = hls::difference_vertices(triangle.in);
+    names_.start(corners_of(p));
+    walk_.start(corners_of(p), triangle.setup, hls::walk_data_of(triangle.in, differences));
+    for (bool last = false; !last;) {
+      hls::primitive out, name;
+      hls::vertex_steps data[4];
+      last = walk_.step(out, data);
+      if (names_.step(name) != last || !same_words(out, name))
+        return testing::AssertionFailure() << text_of(p) << ": " << text_of(out) << " is named " << text_of(name);
+      if (walk_.remeshing().walk().additions() != names_.remeshing().walk().additions()) return testing::AssertionFailure() << "additions";
+      for (int i = 0; i < 4; ++i) {
+        const bool none = i == 3 && !out.quad;
+        const auto result = same_words(data[i], none ? hls::vertex_steps() : data_of(triangle.in, differences, out.v[i]));
+        if (!result)
+          return testing::AssertionFailure() << text_of(p) << " vertex " << i << " of " << text_of(out) << ": " << result.message();
+        ++kinds_[static_cast<std::size_t>(raw(out.v[i].kind))];
+      }
+    }
+    ++triangles_;
+    return testing::AssertionSuccess();
+  }
+  ~swept() {
+    std::printf("%llu triangles, %llu corners, %llu vertices of edges, %llu of the grid\n", static_cast<unsigned long long>(triangles_),
+                static_cast<unsigned long long>(kinds_[0]), static_cast<unsigned long long>(kinds_[1]),
+                static_cast<unsigned long long>(kinds_[2]));
+  }
+
+ private:
+  data_walk walk_;
+  hls::sweep_line names_;
+  std::uint64_t triangles_ = 0;
+  std::array<std::uint64_t, 3> kinds_{};
+};
+
+TEST(walk_data, triangles_of_a_7x7x7_grid) {
+  swept check;
+  generator g = next_generator();
+  for (std::uint64_t round = 0; round < vector_count() / 50; ++round) ASSERT_TRUE(check(g, pair_of(g.below(pairs_within(6)), 6)));
+}
+
+TEST(walk_data, three_main_directions) {
+  swept check;
+  generator g = next_generator();
+  for (std::uint64_t round = 0; round < vector_count() / 50; ++round) {
+    const grid_triangle p = pair_of(g.below(pairs_within(6)), 6);
+    if (three_main_directions(p)) {
+      ASSERT_TRUE(check(g, p));
+    }
+  }
+}
+
+TEST(walk_data, drawn_triangles_and_slivers) {
+  swept check;
+  generator g = next_generator();
+  for (std::uint64_t round = 0; round < vector_count() / 500; ++round) ASSERT_TRUE(check(g, draw_triangle(g, 12)));
+  for (std::uint64_t round = 0; round < vector_count() / 5000; ++round) ASSERT_TRUE(check(g, draw_triangle(g, 60)));
+  for (std::uint64_t round = 0; round < vector_count() / 2000; ++round) ASSERT_TRUE(check(g, draw_sliver(g, 400)));
+  for (std::uint64_t round = 0; round < vector_count() / 200000; ++round) ASSERT_TRUE(check(g, draw_triangle(g, 300)));
+  for (std::uint64_t round = 0; round < vector_count() / 100000; ++round) ASSERT_TRUE(check(g, draw_sliver(g, 16383)));
+}
+
+// Many columns of few rows each.
+TEST(walk_data, the_longest_edges) {
+  swept check;
+  generator g = next_generator();
+  for (std::uint64_t round = 0; round < 1 + vector_count() / 500000; ++round) {
+    grid_triangle p = draw_triangle(g, 12);
+    const std::size_t axis = g.below(3);
+    for (grid_point& corner : p) corner[axis] = static_cast<int>(g.between(0, 16383));
+    p[round % 3][axis] = 0;
+    p[(round + 1) % 3][axis] = 16383;
+    ASSERT_TRUE(check(g, p));
+  }
+}
+
+TEST(walk_data, in_every_pose) {
+  swept check;
+  generator g = next_generator();
+  for (grid_triangle const& p : {grid_triangle{{{0, 0, 0}, {9, 0, 0}, {4, 3, 0}}}, grid_triangle{{{0, 0, 0}, {9, 5, 0}, {4, 4, 0}}},
+                                 grid_triangle{{{0, 0, 0}, {9, 0, 0}, {0, 4, 0}}}, grid_triangle{{{0, 0, 0}, {9, 6, 0}, {0, 4, 0}}},
+                                 grid_triangle{{{0, 0, 0}, {5, 3, 1}, {0, 0, 0}}}, grid_triangle{{{5, 7, 2}, {4, 4, 8}, {10, 0, 9}}}})
+    in_all_poses(p, [&](grid_triangle const& pose) { ASSERT_TRUE(check(g, pose)); });
+}
+
+TEST(walk_data, nothing_is_there_without_a_walk) {
+  swept check;
+  generator g = next_generator();
+  ASSERT_TRUE(check(g, {{{7, -3, 5}, {7, -3, 5}, {7, -3, 5}}}));
+}
+
+}  // namespace
+}  // namespace relievo::test
