@@ -178,6 +178,13 @@ void unit_vectors(memories const& m) {
   through<hls::normalize_out>("normalize", random_record<hls::normalize_in>(), relievo_normalize);
   through<hls::bump_out>("bump", random_record<hls::bump_in>(), relievo_bump);
   through<hls::tex_coord_test_out>("tex_coord_test", random_record<hls::tex_coord_test_in>(), relievo_tex_coord_test);
+  through<hls::interpolants>("perspective_preparation", random_record<hls::perspective_preparation_in>(), relievo_perspective_preparation);
+  const auto correction = hls::pack(random_record<hls::perspective_correction_regs>());
+  through<hls::perspective_correction_out>(
+      "perspective_correction", random_record<hls::perspective_correction_in>(),
+      [&](hls::port<hls::perspective_correction_in>& in, hls::port<hls::perspective_correction_out>& out) {
+        relievo_perspective_correction(in, correction, out);
+      });
   const auto displace = hls::pack(random_record<hls::displace_regs>());
   through<hls::displace_out>(
       "displace", random_record<hls::displace_in>(),
@@ -348,6 +355,24 @@ void sweep(bool print) {
   through<hls::remeshing_plane_out>("remeshing_plane", projected, relievo_remeshing_plane);
   cases.plane = setup.plane;
   through<hls::case_selection_out>("case_selection", cases, relievo_case_selection);
+
+  // Any data at the corners: difference_vertices and the walk take what they are given.
+  hls::interpolants data[9];
+  for (hls::interpolants& corner : data) corner = random_record<hls::interpolants>();
+  const auto data_port = std::make_unique<hls::port<hls::interpolants>>();
+  hls::port<hls::interpolants>& data_in = *data_port;
+  const auto write_data = [&] {
+    for (hls::interpolants const& corner : data) data_in.write(hls::pack(corner));
+  };
+  hls::top::placed_triangle placed;
+  for (int i = 0; i < 3; ++i)
+    for (int axis = 0; axis < 3; ++axis) placed.p[i][axis] = corners.p[i][axis];
+  placed.plane = setup.plane;
+  write_data();
+  through<hls::difference_vertices_out>("difference_vertices", placed,
+                                        [&](hls::port<hls::top::placed_triangle>& in, hls::port<hls::difference_vertices_out>& out) {
+                                          relievo_difference_vertices(in, data_in, out);
+                                        });
   if (!print) return;
   const auto in = std::make_unique<hls::port<hls::sweep_line_in>>();
   const auto out = std::make_unique<hls::port<hls::top::swept_primitive>>();
@@ -356,6 +381,15 @@ void sweep(bool print) {
   for (bool last = false; !last;) {
     const auto primitive = hls::unpack<hls::top::swept_primitive>(out->read());
     print_record("sweep_line", primitive);
+    last = primitive.last;
+  }
+  const auto vertices = std::make_unique<hls::port<hls::top::swept_vertices>>();
+  in->write(hls::pack(corners));
+  write_data();
+  relievo_sweep_vertices(*in, data_in, *vertices);
+  for (bool last = false; !last;) {
+    const auto primitive = hls::unpack<hls::top::swept_vertices>(vertices->read());
+    print_record("sweep_vertices", primitive);
     last = primitive.last;
   }
 }
