@@ -47,6 +47,7 @@ inline main_direction_out main_direction_of(fixed<formats::grid> const (&p)[3][3
 
 template <class To, class N>
 inline fixed<To> step_of(fixed<N> numerator, std::int64_t denominator) {
+  static_assert(is_step_of<To, N>(), "the guard bits");
   static_assert(N::width + guard_bits + 1 <= 64, "an intermediate is wider than 64 bits");
   const std::int64_t quotient = rounded_quotient(raw(numerator) * (std::int64_t(1) << guard_bits), denominator);
   return wrap_to<To>(from_raw<format<64, 64 - To::fraction, true>>(quotient));

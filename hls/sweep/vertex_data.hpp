@@ -40,12 +40,11 @@ struct vertex_steps {
 };
 
 constexpr int guard_bits = 16;
-static_assert(formats::step_position::fraction == formats::interp_position::fraction + guard_bits &&
-                  formats::step_unit::fraction == formats::interp_unit::fraction + guard_bits &&
-                  formats::step_coordinate::fraction == formats::interp_coordinate::fraction + guard_bits &&
-                  formats::step_colour::fraction == formats::interp_colour::fraction + guard_bits &&
-                  formats::step_c::fraction == formats::interp_c::fraction + guard_bits,
-              "a step is an interpolant with the guard bits behind it");
+// An interpolant with the guard bits behind it.
+template <class Step, class Interpolant>
+constexpr bool is_step_of() {
+  return Step::fraction == Interpolant::fraction + guard_bits;
+}
 
 template <class Op, class Out, class... In>
 inline void for_attributes(Op op, Out& out, In const&... in) {

@@ -53,6 +53,7 @@ struct wrapped_multiple {
 struct guarded {
   template <class To, class From>
   void operator()(fixed<To>& out, fixed<From> const& in) const {
+    static_assert(is_step_of<To, From>(), "the guard bits");
     out = exact_to<To>(in);
   }
 };
