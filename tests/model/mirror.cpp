@@ -12,10 +12,16 @@
 #include "golden/edge/engine_regs.hpp"
 #include "golden/edge/get_triangle.hpp"
 #include "golden/surface/normal_map.hpp"
+#include "golden/sweep/difference_vertices.hpp"
+#include "golden/sweep/perspective_correction.hpp"
+#include "golden/sweep/perspective_preparation.hpp"
 #include "golden/sweep/sweep_line.hpp"
 #include "hls/core/normalize.hpp"
 #include "hls/edge/engine.hpp"
 #include "hls/surface/normal_map.hpp"
+#include "hls/sweep/difference_vertices.hpp"
+#include "hls/sweep/perspective_correction.hpp"
+#include "hls/sweep/perspective_preparation.hpp"
 #include "hls/sweep/sweep_line.hpp"
 #include "tb/model/words.hpp"
 
@@ -173,6 +179,15 @@ TEST(mirror, records_of_the_sweep_engine) {
   RELIEVO_EXPECT_MIRRORED(sub_triangle);
   RELIEVO_EXPECT_MIRRORED(sub_triangle_remeshing_in);
   RELIEVO_EXPECT_MIRRORED(sweep_line_in);
+  RELIEVO_EXPECT_MIRRORED(base_vertex);
+  RELIEVO_EXPECT_MIRRORED(interpolants);
+  RELIEVO_EXPECT_MIRRORED(vertex_steps);
+  RELIEVO_EXPECT_MIRRORED(perspective_preparation_in);
+  RELIEVO_EXPECT_MIRRORED(difference_vertices_in);
+  RELIEVO_EXPECT_MIRRORED(difference_vertices_out);
+  RELIEVO_EXPECT_MIRRORED(perspective_correction_in);
+  RELIEVO_EXPECT_MIRRORED(perspective_correction_regs);
+  RELIEVO_EXPECT_MIRRORED(perspective_correction_out);
 }
 
 // What the test is there to find: two fields swapped, one renamed, one missing, one longer, and the same within a record.

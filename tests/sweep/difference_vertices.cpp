@@ -1,9 +1,10 @@
-// difference_vertices: every quotient correctly rounded, decided in 128 bits; results below 2^45; none where |det| <= n; an edge's
-// differences are the same from both of its triangles.
+// difference_vertices: hls equals golden; every quotient correctly rounded, decided in 128 bits; results below 2^45; none where |det| <= n;
+// an edge's differences are the same from both of its triangles.
 #include "hls/sweep/difference_vertices.hpp"
 
 #include <gtest/gtest.h>
 
+#include "golden/sweep/difference_vertices.hpp"
 #include "tests/support/swept_data.hpp"
 
 namespace relievo::test {
@@ -50,10 +51,10 @@ testing::AssertionResult right(swept_triangle const& triangle) {
     if (!rounds(sweep[i], ab * d(c, t) - ac * d(b, t), det) || !small(sweep[i])) return fails("the sweep");
     if (!rounds(side[i], ac * d(b, s) - ab * d(c, s), det) || !small(side[i])) return fails("the side");
   }
-  return testing::AssertionSuccess();
+  return equal_words(out, golden::difference_vertices(as_golden<golden::difference_vertices_in>(in)));
 }
 
-TEST(difference_vertices, quotients_are_correctly_rounded) {
+TEST(difference_vertices, hls_equals_golden_and_quotients_are_correctly_rounded) {
   generator g = next_generator();
   for (std::uint64_t round = 0; round < vector_count() / 10; ++round) {
     const int size = round % 4 == 0 ? 6 : round % 4 == 1 ? 200 : 16383;

@@ -1,9 +1,10 @@
-// perspective_correction: against the exact quotients of its words, and against the surface that was interpolated; what saturates and
-// what does not; the limit; c is above 0 for all w.
+// perspective_correction: hls equals golden; against the exact quotients of its words, and against the surface that was interpolated; what
+// saturates and what does not; the limit; c is above 0 for all w.
 #include "hls/sweep/perspective_correction.hpp"
 
 #include <gtest/gtest.h>
 
+#include "golden/sweep/perspective_correction.hpp"
 #include "hls/sweep/sweep_line.hpp"
 #include "tests/support/swept_data.hpp"
 
@@ -68,7 +69,15 @@ testing::AssertionResult near_the_quotient(vector const& v) {
   return testing::AssertionSuccess();
 }
 
-TEST(perspective_correction, is_near_the_quotient_of_its_words) { for_vectors<vector>(domain, near_the_quotient); }
+testing::AssertionResult agrees(vector const& v) {
+  return equal_words(hls::perspective_correction(v.in, v.regs),
+                     golden::perspective_correction(as_golden<golden::perspective_correction_in>(v.in),
+                                                    as_golden<golden::perspective_correction_regs>(v.regs)));
+}
+
+TEST(perspective_correction, hls_equals_golden) { for_vectors<vector>(domain, agrees); }
+
+TEST(perspective_correction, is_near_the_quotient_of_its_words) { for_vectors<vector>(domain, near_the_quotient, vector_count() / 4); }
 
 hls::perspective_correction_regs whole_range() {
   const auto most = hls::from_raw<formats::coordinate>(hls::fixed<formats::coordinate>::max_raw);

@@ -1,9 +1,10 @@
-// perspective_preparation: c is 2^exponent / w, w to 24 significant bits, correctly rounded in integers; every component rounded once;
-// block exponents; the nearest corner keeps all bits but one.
+// perspective_preparation: hls equals golden; c is 2^exponent / w, w to 24 significant bits, correctly rounded in integers; every component
+// rounded once; block exponents; the nearest corner keeps all bits but one.
 #include "hls/sweep/perspective_preparation.hpp"
 
 #include <gtest/gtest.h>
 
+#include "golden/sweep/perspective_preparation.hpp"
 #include "tests/support/vectors.hpp"
 
 namespace relievo::test {
@@ -49,10 +50,11 @@ testing::AssertionResult right(input const& in) {
     good &= component(in.vertex.p[i], out.p[i]) && component(in.vertex.n[i], out.n[i]) && component(in.vertex.t[i], out.t[i]);
   for (int i = 0; i < 2; ++i) good &= component(in.vertex.u[i], out.u[i]);
   for (int i = 0; i < 4; ++i) good &= component(in.vertex.colour[i], out.colour[i]);
-  return good ? testing::AssertionSuccess() : fails("a component");
+  if (!good) return fails("a component");
+  return equal_words(out, golden::perspective_preparation(as_golden<golden::perspective_preparation_in>(in)));
 }
 
-TEST(perspective_preparation, every_register_is_rounded_once) { for_vectors<input>(domain, right); }
+TEST(perspective_preparation, hls_equals_golden_and_every_register_is_rounded_once) { for_vectors<input>(domain, right); }
 
 // Where w has more bits than its mantissa: at and beside the ties, and where the mantissa becomes 2^24.
 TEST(perspective_preparation, w_at_its_rounding_boundaries) {
@@ -89,6 +91,10 @@ TEST(perspective_preparation, a_block_has_the_power_of_its_nearest_corner) {
     ASSERT_EQ(raw(hls::block_exponent(w[0], w[1])), leading_bit(two));
     ASSERT_EQ(raw(hls::block_exponent(w[0], w[1], w[2])), leading_bit(three));
     ASSERT_EQ(raw(hls::block_exponent(w[1], w[0])), leading_bit(two));
+    double depths[3];
+    for (int i = 0; i < 3; ++i) depths[i] = static_cast<double>(raw(w[i])) / (1 << formats::depth::fraction);
+    ASSERT_EQ(golden::block_exponent(depths[0], depths[1]), leading_bit(two));
+    ASSERT_EQ(golden::block_exponent(depths[0], depths[1], depths[2]), leading_bit(three));
     // The nearest corner has c in (1/2, 1], and no corner less than 2^25 w_min / w_max LSB.
     for (auto const& one : w) {
       const auto c = raw(hls::perspective_preparation({{}, one, hls::block_exponent(w[0], w[1], w[2])}).c);

@@ -1,9 +1,10 @@
-// walk_data: every vertex that a walk puts out has the data of its name, exact modulo 2^48, whichever way the walk came to it; the names
-// are those of a walk of names alone, and so are the additions.
+// walk_data: every vertex that a walk puts out has the data of its name, golden's interpolated_vertex, whichever way it came to it; the
+// names are those of a walk of names alone, and so are the additions.
 #include "hls/sweep/walk_data.hpp"
 
 #include <gtest/gtest.h>
 
+#include "golden/sweep/interpolated_vertex.hpp"
 #include "hls/sweep/sweep_line.hpp"
 #include "tests/support/swept_data.hpp"
 
@@ -12,30 +13,20 @@ namespace {
 
 using data_walk = hls::sweep_line_of<hls::vertex_steps>;
 
-// Every component by itself: a 2^16 + x b + y c, its lower 48 bits.
-hls::vertex_steps sum(hls::interpolants const& a, std::int64_t x, hls::vertex_steps const& b, std::int64_t y, hls::vertex_steps const& c) {
-  hls::vertex_steps out;
-  hls::for_components(
-      [x, y](auto& word, auto const& wa, auto const& wb, auto const& wc) {
-        const auto part = [](std::int64_t k, std::int64_t d) { return static_cast<std::uint64_t>(k) * static_cast<std::uint64_t>(d); };
-        const std::uint64_t exact = part(raw(wa), 1 << 16) + part(x, raw(wb)) + part(y, raw(wc));
-        word = std::remove_reference_t<decltype(word)>::from_raw(static_cast<std::int64_t>(exact << 16) >> 16);
-      },
-      out, a, b, c);
-  return out;
-}
-hls::vertex_steps data_of(hls::difference_vertices_in const& in, hls::difference_vertices_out const& d, hls::remeshed_vertex const& v) {
-  if (raw(v.kind) == hls::edge_vertex) return sum(in.end[raw(v.number)][0], raw(v.i), d.edge[raw(v.number)], 0, d.side);
-  if (raw(v.kind) == hls::corner_vertex) return {};
-  auto const& a = in.p[raw(in.plane.a)];
-  return sum(in.corner[raw(in.plane.a)], raw(v.s) - raw(a[raw(in.plane.s)]), d.sweep, raw(v.t) - raw(a[raw(in.plane.t)]), d.side);
-}
-
 class swept {
  public:
   testing::AssertionResult operator()(generator& g, grid_triangle const& p) {
     const swept_triangle triangle = draw_swept(g, p);
     const auto differences = hls::difference_vertices(triangle.in);
+    const auto given = as_golden<golden::difference_vertices_in>(triangle.in);
+    golden::interpolated_vertex_in right;
+    for (int i = 0; i < 3; ++i) {
+      right.p[i] = given.p[i];
+      right.corner[i] = given.corner[i];
+      for (int end = 0; end < 2; ++end) right.end[i][end] = given.end[i][end];
+    }
+    right.plane = given.plane;
+    right.difference = as_golden<golden::difference_vertices_out>(differences);
     names_.start(corners_of(p));
     walk_.start(corners_of(p), triangle.setup, hls::walk_data_of(triangle.in, differences));
     for (bool last = false; !last;) {
@@ -46,8 +37,9 @@ class swept {
         return testing::AssertionFailure() << text_of(p) << ": " << text_of(out) << " is named " << text_of(name);
       if (walk_.remeshing().walk().additions() != names_.remeshing().walk().additions()) return testing::AssertionFailure() << "additions";
       for (int i = 0; i < 4; ++i) {
-        const bool none = i == 3 && !out.quad;
-        const auto result = same_words(data[i], none ? hls::vertex_steps() : data_of(triangle.in, differences, out.v[i]));
+        const bool none = raw(out.v[i].kind) == hls::corner_vertex;  // the missing one too
+        if (!none) right.name = as_golden<golden::remeshed_vertex>(out.v[i]);
+        const auto result = none ? same_words(data[i], hls::vertex_steps()) : equal_words(data[i], golden::interpolated_vertex(right));
         if (!result)
           return testing::AssertionFailure() << text_of(p) << " vertex " << i << " of " << text_of(out) << ": " << result.message();
         ++kinds_[static_cast<std::size_t>(raw(out.v[i].kind))];
