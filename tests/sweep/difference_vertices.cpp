@@ -94,6 +94,23 @@ TEST(difference_vertices, the_ends_of_the_formats) {
   EXPECT_GT(steep, 0U) << "no difference comes near its bound";
 }
 
+// Half an LSB over: only where 2^17 divides det. A negative quotient goes up too, whatever the sign of det.
+TEST(difference_vertices, ties_go_up) {
+  generator g = next_generator();
+  std::uint64_t ties = 0;
+  in_all_poses({{{0, 0, 0}, {512, 512, 0}, {1, 257, 0}}}, [&](grid_triangle const& p) {
+    for (int round = 0; round < 4; ++round) {
+      const swept_triangle triangle = draw_swept(g, p);
+      ASSERT_TRUE(right(triangle));
+      ASSERT_EQ(std::abs(raw(triangle.in.plane.det)), 1 << 17);
+      const auto c = [&](hls::two_bits corner) { return raw(triangle.in.corner[raw(corner)].c); };
+      // ds_AB is even, so the side's quotients have halves where dV_AB is odd.
+      ties += static_cast<std::uint64_t>((c(triangle.in.plane.b) - c(triangle.in.plane.a)) & 1);
+    }
+  });
+  EXPECT_GT(ties, 100U);
+}
+
 TEST(difference_vertices, neighbours_have_the_same_edge) {
   generator g = next_generator();
   for (std::uint64_t round = 0; round < vector_count() / 50; ++round) {
