@@ -90,7 +90,7 @@ class edge_engine_host : public register_bus {
   // A memory first; else a word that nobody takes, those behind the circuit first, the sources last; else the circuit itself, from which
   // nothing comes any more.
   std::string stopped() const {
-    if (const std::string memory = memories.stopped(); !memory.empty()) return memory;
+    if (std::string memory = memories.stopped(); !memory.empty()) return memory;
     for (held_word const* h : {&out_hold_, &table_hold_, &normal_hold_})
       if (h->waits()) return std::string(h->name()) + ": a word is not taken";
     if (offering_base_) return "s_axis: a word is not taken";
