@@ -2,7 +2,7 @@
 # How much of each circuit the regression reaches, in lines, toggled bits and the points of tests/cover: scripts/coverage.sh [--misses] [UNIT]...
 #   Builds the tests of the circuits with counters (build-coverage/), runs those of the units and the whole scenes, merges what they left
 #   and prints a row a module, and what was not reached; also in out/coverage.json. --misses: bits too.
-#   Exit code 1: a test failed, or a line or point is a hole that tests/cover/explained.toml does not explain.
+#   Exit code 1: a test failed, or a line, bit or point is a hole that tests/cover/explained.toml does not explain.
 #   UNIT: the tests of these alone, without a word about holes; scenes: those of the whole engine.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -48,8 +48,8 @@ scripts/build.sh coverage "${targets[@]}"
 
 kept=$PWD/build-coverage/coverage
 mkdir -p "$kept" out
-# Fewer vectors than the regression's: counting takes its time, and corners and traffic are all there. A model leaves a file each time it
-# is made, hundreds of them in some tests.
+# Fewer vectors than the regression's: counting takes its time, and corners and traffic are all there. A model leaves two files each time
+# it is made, hundreds of them in some tests.
 export RELIEVO_VECTORS=${RELIEVO_VECTORS:-100000}
 run_unit() {
   local unit=$1
@@ -62,7 +62,10 @@ run_unit() {
     "build-coverage/tests/rtl/rtl_$unit" --gtest_brief=1 >"$kept/$unit.log" 2>&1 || { cat "$kept/$unit.log"; return 1; }
   fi
   # In parts, as a command has room for so many names.
-  find "$kept/$unit" -name '*.dat' -print0 | xargs -0 -n 400 bash -c 'verilator_coverage --write "$0/$$.part" "$@"' "$kept/$unit"
+  find "$kept/$unit" -name '*.begin.dat' -print0 | xargs -0 -n 400 bash -c 'verilator_coverage --write "$0/$$.begin" "$@"' "$kept/$unit"
+  find "$kept/$unit" -name '*.dat' -not -name '*.begin.dat' -print0 |
+    xargs -0 -n 400 bash -c 'verilator_coverage --write "$0/$$.part" "$@"' "$kept/$unit"
+  verilator_coverage --write "$kept/$unit.begin.dat" "$kept/$unit"/*.begin
   verilator_coverage --write "$kept/$unit.dat" "$kept/$unit"/*.part
   rm -rf "${kept:?}/$unit"
 }
@@ -71,4 +74,4 @@ export kept
 printf '%s\n' "${units[@]}" | sed '/^scenes$/d' | xargs -r -P "$(nproc)" -I{} bash -euo pipefail -c 'run_unit {}'
 [[ " ${units[*]} " != *" scenes "* ]] || run_unit scenes
 files=("${units[@]/#/$kept/}")
-python3 scripts/rtl_coverage.py "${options[@]}" "${files[@]/%/.dat}"
+python3 scripts/rtl_coverage.py "${options[@]}" "${files[@]/%/.dat}" "${files[@]/%/.begin.dat}"

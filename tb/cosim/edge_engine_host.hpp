@@ -70,6 +70,7 @@ class edge_engine_host : public register_bus {
     quiet();
     for (int i = 0; i < 2; ++i) {
       edge();
+      kept_.begin();
       if (i > 0 && anything_valid()) broken("something is valid in reset");
     }
     base.clear();
@@ -292,7 +293,7 @@ class edge_engine_host : public register_bus {
   failure_hook fail_;
   VerilatedContext context_;
   std::unique_ptr<Model> model_;
-  const keep_coverage kept_{context_};
+  keep_coverage kept_{context_};
   pacer source_pace_, sink_pace_;
   bool offering_base_ = false, offering_texel_ = false, offering_aw_ = false, offering_w_ = false, offering_ar_ = false;
   std::uint64_t quiet_ = 0, answers_ = 0;

@@ -183,6 +183,7 @@ class engine_device : public sc_core::sc_module {
     model_->eval();
     wave_->after_edge(wires_.clocks);
     model_->clk_i = 0;
+    kept_.begin();
     if (context_.gotError()) wires_.fail("an assertion of the circuit failed, which it has printed");
     get_outputs();
   }
@@ -190,7 +191,7 @@ class engine_device : public sc_core::sc_module {
   VerilatedContext context_;
   std::unique_ptr<Model> model_;
   std::unique_ptr<waveform<Model>> wave_;
-  const keep_coverage kept_{context_};
+  keep_coverage kept_{context_};
   links& links_;
   bench_wires& wires_;
   bool was_running_ = false;

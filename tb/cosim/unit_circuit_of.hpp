@@ -26,10 +26,11 @@ unit_circuit pipeline_circuit(std::string const& name, int latency) {
     VerilatedContext context;
     context.randReset(2);
     Model model(&context);
-    const keep_coverage kept(context);
+    keep_coverage kept(context);
     model.clk_i = 0;
     detail::put_regs(model, packed(regs, unit.regs), packed_width(unit.regs), 0);
     model.eval();
+    kept.begin();
     const int in_width = packed_width(unit.in), out_width = packed_width(unit.out);
     std::vector<unit_words> out;
     for (std::size_t clock = 1; out.size() < in.size(); ++clock) {

@@ -30,6 +30,7 @@ class fifo_bench {
     unit_.rst_ni = 0;
     unit_.in_valid_i = unit_.out_ready_i = 0;
     clock();
+    kept_.begin();
   }
 
   void run(fifo_traffic const& t, std::uint64_t clocks) {
@@ -94,7 +95,7 @@ class fifo_bench {
   bool taken_ = true;
   VerilatedContext context_;
   Unit unit_{&context_};
-  const tb::keep_coverage kept_{context_};
+  tb::keep_coverage kept_{context_};
   generator g_ = next_generator();
   std::deque<held> held_;
 };

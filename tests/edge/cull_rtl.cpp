@@ -9,7 +9,9 @@ namespace {
 TEST(cull, rtl_equals_hls_on_every_combination) {
   VerilatedContext context;
   Vcull model(&context);
-  const tb::keep_coverage kept(context);
+  tb::keep_coverage kept(context);
+  model.eval();
+  kept.begin();
   generator g("cull");
   hls::pass_or_tessellate_regs regs{};
   for (int word = 0; word < 16; ++word)

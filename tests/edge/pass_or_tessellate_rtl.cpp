@@ -16,7 +16,7 @@ TEST(pass_or_tessellate, rtl_equals_hls) { pipeline_test<Vpass_or_tessellate, ve
 TEST(pass_or_tessellate, rtl_equals_hls_on_every_combination) {
   VerilatedContext context;
   Vpass_or_tessellate model(&context);
-  const tb::keep_coverage kept(context);
+  tb::keep_coverage kept(context);
   std::uint64_t splits = 0;
   vector v{};
   for (std::uint32_t word = 0; word < (1u << 21); ++word) {
@@ -29,6 +29,7 @@ TEST(pass_or_tessellate, rtl_equals_hls_on_every_combination) {
     model.eval();
     model.clk_i = 0;
     model.eval();
+    kept.begin();
     const bool split = kernel(v).split;
     ASSERT_EQ(model.out_o != 0, split) << describe(v);
     splits += split ? 1 : 0;

@@ -154,7 +154,7 @@ TEST(triangle_queue, one_pop_and_one_push_a_clock) {
 TEST(triangle_queue, a_push_into_an_empty_queue_is_out_three_clocks_later) {
   VerilatedContext context;
   Vqueue_1024 m(&context);
-  const tb::keep_coverage kept(context);
+  tb::keep_coverage kept(context);
   const auto edge = [&m] {
     m.clk_i = 1;
     m.eval();
@@ -165,7 +165,10 @@ TEST(triangle_queue, a_push_into_an_empty_queue_is_out_three_clocks_later) {
   m.push_valid_i = m.take_i = m.retire_i = 0;
   m.pop_ready_i = 1;
   m.rst_ni = 0;
-  for (int i = 0; i < 3; ++i) edge();
+  for (int i = 0; i < 3; ++i) {
+    edge();
+    kept.begin();
+  }
   m.rst_ni = 1;
   for (int i = 0; !m.may_take_o; ++i) {
     ASSERT_LT(i, 4);

@@ -90,7 +90,7 @@ axi_result axi_run(axi_settings const& s, std::vector<Request> const& requests, 
   context.randReset(2);
   context.randSeed(static_cast<int>(seed() & 0x7fffffff) + 1);
   Model model(&context);
-  const tb::keep_coverage kept(context);
+  tb::keep_coverage kept(context);
   generator g = next_generator();
   std::deque<beat> beats;
   std::deque<answer> answers;
@@ -125,6 +125,7 @@ axi_result axi_run(axi_settings const& s, std::vector<Request> const& requests, 
     model.eval();
     model.aclk = 0;
     model.eval();
+    kept.begin();
   }
   model.aresetn = 1;
 

@@ -32,6 +32,7 @@ class clocked_model {
       model_->eval();
       model_->clk_i = 0;
       model_->eval();
+      kept_.begin();
     }
   }
   void reset(int clocks = 4) {
@@ -44,7 +45,7 @@ class clocked_model {
  private:
   VerilatedContext context_;
   std::unique_ptr<Model> model_;
-  const tb::keep_coverage kept_{context_};
+  tb::keep_coverage kept_{context_};
 };
 
 }  // namespace relievo::test

@@ -39,7 +39,10 @@ class engine_loop {
     m.clk_i = m.rst_ni = m.start_i = m.end_i = m.in_valid_i = m.out_ready_i = 0;
     m.table_req_ready_i = m.quad_req_ready_i = m.place_req_ready_i = m.normal_req_ready_i = 0;
     m.table_rsp_valid_i = m.quad_rsp_valid_i = m.place_rsp_valid_i = m.normal_rsp_valid_i = 0;
-    for (int i = 0; i < 2; ++i) edge();
+    for (int i = 0; i < 2; ++i) {
+      edge();
+      kept_.begin();
+    }
     m.rst_ni = 1;
     edge();
   }
@@ -217,7 +220,7 @@ class engine_loop {
 
   VerilatedContext context_;
   std::unique_ptr<Model> model_;
-  const tb::keep_coverage kept_{context_};
+  tb::keep_coverage kept_{context_};
   tb::cosim_scene const* scene_ = nullptr;
   tb::cosim_settings traffic_;
   take_record const* out_ = nullptr;

@@ -31,7 +31,10 @@ class builder_bench {
     model.rst_ni = 0;
     model.in_valid_i = 0;
     model.out_ready_i = 0;
-    for (int i = 0; i < 4; ++i) edge();
+    for (int i = 0; i < 4; ++i) {
+      edge();
+      kept_.begin();
+    }
     model.rst_ni = 1;
   }
 
@@ -128,7 +131,7 @@ class builder_bench {
   Model model;
 
  private:
-  const tb::keep_coverage kept_{*context_};
+  tb::keep_coverage kept_{*context_};
   traffic traffic_;
   generator g_;
 };

@@ -42,7 +42,10 @@ class queue_bench {
   void reset() {
     model_->rst_ni = 0;
     model_->push_valid_i = model_->pop_ready_i = model_->retire_i = model_->take_i = 0;
-    for (int i = 0; i < 3; ++i) edge();
+    for (int i = 0; i < 3; ++i) {
+      edge();
+      kept_.begin();
+    }
     model_->rst_ni = 1;
     held_.clear();
     flights_.clear();
@@ -213,7 +216,7 @@ class queue_bench {
   generator g_;
   VerilatedContext context_;
   std::unique_ptr<Model> model_;
-  const tb::keep_coverage kept_{context_};
+  tb::keep_coverage kept_{context_};
   std::unique_ptr<hls::triangle_queue<Depth>> sequential_ = std::make_unique<hls::triangle_queue<Depth>>();
   std::vector<int> level_;       // of every triangle ever born
   std::set<std::int64_t> held_;  // pushed and not yet out

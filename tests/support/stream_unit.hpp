@@ -90,7 +90,7 @@ std::uint64_t stream_test(traffic const& t, Shape shape, Expected expected, std:
   context.randReset(2);
   context.randSeed(static_cast<int>(seed() & 0x7fffffff) + 1);
   Model model(&context);
-  const tb::keep_coverage kept(context);
+  tb::keep_coverage kept(context);
   generator g = next_generator();
   std::vector<std::deque<answer>> answers(ports.size());
   std::deque<std::pair<V, Out>> waiting;
@@ -128,7 +128,10 @@ std::uint64_t stream_test(traffic const& t, Shape shape, Expected expected, std:
     p.set_ready(model, false);
     p.set_valid(model, false);
   }
-  for (int i = 0; i < 4; ++i) edge();
+  for (int i = 0; i < 4; ++i) {
+    edge();
+    kept.begin();
+  }
   model.rst_ni = 1;
 
   // What the unit says on its links.

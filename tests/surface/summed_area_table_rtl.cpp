@@ -80,8 +80,10 @@ TEST(summed_area_table, rtl_equals_hls_on_large_maps) {
       expect_map(bench, hls, t, test_map(width, height, g.chance(4) ? fill::maximum : fill::random, g), false, false);
       texels += static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
     }
-    for (const auto size : {map_size{16, 16}, map_size{8192, 3}, map_size{1, 8192}})
+    for (const auto size : {map_size{16, 16}, map_size{8192, 3}})
       expect_map(bench, hls, t, test_map(size.width, size.height, fill::random, g), false, false);
+    // The largest sum of a column.
+    expect_map(bench, hls, t, test_map(1, 8192, fill::maximum, g), false, false);
     bench.rest();
   }
 }

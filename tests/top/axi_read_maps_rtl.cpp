@@ -48,7 +48,10 @@ class maps_bench {
     model_->width_i = width;
     model_->aclk = 0;
     model_->aresetn = 0;
-    for (int i = 0; i < 4; ++i) step();
+    for (int i = 0; i < 4; ++i) {
+      step();
+      kept_.begin();
+    }
     model_->aresetn = 1;
   }
 
@@ -155,7 +158,7 @@ class maps_bench {
   tb::pacer pace_;
   VerilatedContext context_;
   std::unique_ptr<Vaxi_read_maps> model_;
-  const tb::keep_coverage kept_{context_};
+  tb::keep_coverage kept_{context_};
   std::uint64_t clock_ = 0;
 };
 
