@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # A longer campaign with the same test programs: scripts/regress.sh [--seeds N] [--vectors N]
 #   first the circuit with more build parameters: every scene in the smallest queue, the throughput with each, the top with AXI4 memories
-#   and that with three lanes;
+#   and that with three lanes, and mutants of the engine with three lanes;
 #   then what of the circuits the regression reaches (scripts/coverage.sh);
 #   then the mutants of units that the regression leaves out, clang-tidy over all of tb/, and the circuits that scripts/fpga.sh must refuse;
 #   then all scenes, and the units, under AddressSanitizer and UndefinedBehaviorSanitizer, with few vectors; then
@@ -21,7 +21,7 @@ while (($#)); do
 done
 
 "$root/scripts/install.sh"
-"$root/scripts/build.sh" campaign cosim_tests rtl_edge_engine_axi rtl_edge_engine_lanes
+"$root/scripts/build.sh" campaign cosim_tests mutated_cosim_tests rtl_edge_engine_axi rtl_edge_engine_lanes
 ctest --test-dir "$root/build-campaign" -L 'cosim|campaign' -j2 --output-on-failure
 "$root/scripts/coverage.sh"
 "$root/scripts/build.sh" release

@@ -11,7 +11,7 @@ namespace relievo::test {
 namespace {
 
 // Without an edge longer than so many pixels; the more generations, the fewer entries are free for others.
-tb::scene small_scene(char const* map, double pixels, int max_generation) {
+tb::scene small_scene(char const* map, double pixels, int max_generation, bool cull = false) {
   tb::scene_options o;
   o.mesh = "octahedron";
   o.displacement = map;
@@ -20,6 +20,7 @@ tb::scene small_scene(char const* map, double pixels, int max_generation) {
   o.normal_threshold = 0.1;
   o.view_threshold = pixels;
   o.max_generation = max_generation;
+  o.cull = cull;
   return tb::make_scene(o);
 }
 
@@ -64,6 +65,21 @@ TEST(small_engine, runs_a_mesh_after_a_reset_in_another) {
   }
   tb::set_cosim_abort(0);
   equals_hls(sc);
+}
+
+// A triangle's three edges at once, and three triangles that end at once.
+TEST(three_lanes, runs_a_mesh) {
+  tb::cosim_settings wide = rough();
+  wide.variant = "wide";
+  equals_hls(few(), wide);
+}
+
+// What faces away passes by an output that is full.
+TEST(three_lanes, culls_into_a_slow_sink) {
+  tb::cosim_settings slow = rough();
+  slow.variant = "wide";
+  slow.stall = 95;
+  equals_hls(small_scene("sine:32,16", 100, 2, true), slow);
 }
 
 }  // namespace

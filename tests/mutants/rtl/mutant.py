@@ -3,7 +3,8 @@
     what is broken, in a line
     test FOLDER/UNIT CASE[:CASE]...     the program's source, tests/FOLDER/UNIT_rtl.cpp or tests/cosim/UNIT.cpp, and who must notice
     says TEXT                           stands in what the failing test prints
-    model PREFIX...                     the Verilated models in which it can be switched on; left out where the unit has one
+    model PREFIX...                     the Verilated models in which it can be switched on; left out where the unit has one, and in cosim
+                                        where that is Vengine_small
     file rtl/TREE/MODULE.sv
     <<<<
     the original text, which occurs once in the file
