@@ -15,5 +15,6 @@ command add_error(CLI::App& app);
 command add_replay(CLI::App& app);
 command add_bench(CLI::App& app);
 command add_map(CLI::App& app);
+command add_map_levels(CLI::App& app);  // of map
 
 }  // namespace relievo::tb

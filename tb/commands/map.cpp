@@ -1,4 +1,4 @@
-// relievo map: what is done to maps before a scene: info, sat, normals, generate.
+// relievo map: what is done to maps before a scene: info, sat, normals, generate; levels is in map_levels.cpp.
 #include "tb/host/map.hpp"
 
 #include <cmath>
@@ -9,6 +9,7 @@
 #include "tb/commands/reporting.hpp"
 #include "tb/commands/scene_arguments.hpp"
 #include "tb/host/files.hpp"
+#include "tb/host/filter_levels.hpp"
 #include "tb/host/input_error.hpp"
 #include "tb/model/hls_maps.hpp"
 
@@ -28,8 +29,17 @@ scene map_scene(arguments const& a) {
   return make_scene(o);
 }
 
+// The filter levels that a file holds beside the map.
+std::optional<filter_levels> levels_in(std::string const& file) {
+  if (extension_of(file) != "exr") return std::nullopt;
+  const std::string bytes = read_bytes(file);
+  if (!has_levels(bytes)) return std::nullopt;
+  return read_levels(bytes, file);
+}
+
 int print_info(arguments const& a) {
   scene_options const& o = a.scene.options();
+  const std::optional<filter_levels> levels = levels_in(a.file);
   displacement_map map = load_map(a.file, o.sample_range);
   if (o.wrap) {
     map.wrap_u = (*o.wrap)[0];
@@ -51,6 +61,14 @@ int print_info(arguments const& a) {
   print_row("steepest", std::to_string(e.max_delta_u) + " along u, " + std::to_string(e.max_delta_v) + " along v, samples over two texels");
   print_row("memory", grouped(map.texels.size() * 2) + " bytes, table " + grouped(map.texels.size() * 5) + ", normals " +
                           grouped(map.texels.size() * 6));
+  if (levels) {
+    const auto name = [](bool wrap) { return wrap ? "wrap" : "clamp"; };
+    std::size_t texels = 0;
+    for (displacement_map const& level : levels->levels) texels += level.texels.size();
+    print_row("filter levels", std::to_string(levels->levels.size()) + ", " + name_of(levels->kind) + ", " +
+                                   name(levels->levels[0].wrap_u) + "," + name(levels->levels[0].wrap_v) + ", " + grouped(texels * 2) +
+                                   " bytes");
+  }
   return 0;
 }
 
@@ -100,7 +118,7 @@ int write_generated(arguments const& a) {
 
 command add_map(CLI::App& app) {
   const auto a = std::make_shared<arguments>();
-  const auto chosen = std::make_shared<int (*)(arguments const&)>(nullptr);
+  const auto chosen = std::make_shared<command>();
   app.require_subcommand(1);
   app.footer("Example: relievo map generate half-donut:512,512 -o donut.png && relievo map info donut.png");
   const auto add = [&](char const* name, char const* what, int (*run)(arguments const&), bool writes, char const* example) {
@@ -112,7 +130,12 @@ command add_map(CLI::App& app) {
     if (writes) sub->add_option("-o,--output", a->output, "the file to write")->required();
     if (run != write_generated) a->scene.add_to(*sub);
     sub->footer(example);
-    sub->callback([chosen, run] { *chosen = run; });
+    sub->callback([a, chosen, run] {
+      *chosen = [a, run] {
+        if (!a->output.empty()) check_writable(a->output);
+        return run(*a);
+      };
+    });
   };
   add("info", "size, range and slopes of a map", print_info, false, "Example: relievo map info terrain.png --sample-range 236,1076");
   add("sat", "the summed-area table, as words of 5 bytes", write_table, true, "Example: relievo map sat terrain.png -o terrain.sat");
@@ -120,10 +143,9 @@ command add_map(CLI::App& app) {
       "Example: relievo map normals terrain.png --scale 0.2 -o terrain_normals.ppm");
   add("generate", "a generated map as a 16-bit .png", write_generated, true,
       "Example: relievo map generate half-donut:512,512 -o donut.png");
-  return [a, chosen] {
-    if (!a->output.empty()) check_writable(a->output);
-    return (*chosen)(*a);
-  };
+  CLI::App* levels = app.add_subcommand("levels", "the map and its filter levels as one .exr");
+  levels->callback([chosen, run = add_map_levels(*levels)] { *chosen = run; });
+  return [chosen] { return (*chosen)(); };
 }
 
 }  // namespace relievo::tb

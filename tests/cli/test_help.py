@@ -16,10 +16,11 @@ OPTIONS = {
     ("error",): ["MESH", "--report"] + SCENE + EDGE,
     ("replay",): ["FILE", "--model", "--only"] + CIRCUIT,
     ("bench",): ["--report"] + SCENE + EDGE,
-    ("map",): ["info", "sat", "normals", "generate"],
+    ("map",): ["info", "sat", "normals", "levels", "generate"],
     ("map", "info"): ["FILE", "--sample-range"],
     ("map", "sat"): ["FILE", "-o", "--address"],
     ("map", "normals"): ["FILE", "-o", "--scale", "--texel-size", "--address"],
+    ("map", "levels"): ["FILE", "-o", "--kind", "--address", "--sample-range", "--iterations"],
     ("map", "generate"): ["NAME", "-o"],
 }
 

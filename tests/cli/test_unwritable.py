@@ -33,6 +33,7 @@ class unwritable(command_line):
         for command in (["map", "sat", "sine:8"], ["map", "normals", "sine:8"], ["map", "generate", "sine:8"]):
             with self.subTest(command=command):
                 self.refused(*command, "-o", "missing/out", names="missing/out")
+        self.refused("map", "levels", "sine:8", "--kind", "averaged", "-o", "missing/out.exr", names="missing/out.exr")
         self.refused("replay", "missing/out.vec", "--record", "displace", names="missing/out.vec")
 
     def test_a_refused_run_leaves_earlier_results_alone(self):
