@@ -5,8 +5,8 @@
 //                                             run ends with the first that differs, and its clock
 //   Errors: cosim_error when a rule of a link is broken, a word too many comes, the bits beside a word are not zero, a register write is
 //   refused, or nothing moves for 10,000 clocks.
-//   The module's inputs change at the falling edge and its outputs are looked at before the rising one, so that a ready which follows an
-//   input within the clock is allowed here, other than between units of the house.
+//   The module's inputs change at the falling edge and its outputs are looked at before the rising one, so that a valid or ready which
+//   follows an input within the clock is allowed here. The bench of the whole engine (engine_device.hpp) refuses that, somebody else's too.
 #pragma once
 #include <verilated.h>
 

@@ -2,7 +2,8 @@
 //   default  one lane, 12 words of the table and 4 samples of a profile a clock, 4,096 entries in the queue
 //   small    one lane, 3 words, 1 sample, 49 entries: the smallest queue that the proof allows
 //   wide     three lanes of 12 words and 4 samples each, 4,096 entries
-//   in a build with RELIEVO_CAMPAIGN (scripts/regress.sh) also narrow (1 word, 1 sample), three (3, 4) and four (4, 16)
+//   in a build with RELIEVO_CAMPAIGN (scripts/regress.sh) also narrow (1 word, 1 sample), three (3, 1), four (4, 16) and foreign: the
+//            default one as somebody else's RTL (tests/foreign/relievo_engine.v)
 #pragma once
 #include "tb/cosim/engine_bench.hpp"
 #include "tb/model/model.hpp"
