@@ -88,7 +88,7 @@ INSTANTIATE_TEST_SUITE_P(traffic, every_traffic,
                                           testing::Values(1, 4711)),
                          traffic_name);
 
-// The smallest queue, and three lanes.
+// The smallest queue, and three lanes; in a campaign the engine as somebody else's RTL.
 class other_engines : public testing::TestWithParam<std::tuple<char const*, int>> {};
 
 TEST_P(other_engines, rtl_equals_hls) {
@@ -103,7 +103,14 @@ TEST_P(other_engines, rtl_equals_hls) {
 std::string engine_name(testing::TestParamInfo<std::tuple<char const*, int>> const& info) {
   return std::string(std::get<0>(info.param)) + "_" + scene_name(std::get<1>(info.param));
 }
-INSTANTIATE_TEST_SUITE_P(scenes, other_engines, testing::Combine(testing::Values("small", "wide"), testing::Range(0, scene_count())),
+std::vector<char const*> variants() {
+#if RELIEVO_CAMPAIGN
+  return {"small", "wide", "foreign"};
+#else
+  return {"small", "wide"};
+#endif
+}
+INSTANTIATE_TEST_SUITE_P(scenes, other_engines, testing::Combine(testing::ValuesIn(variants()), testing::Range(0, scene_count())),
                          engine_name);
 
 // The paper's order: the oldest first where the queue has room for it.
