@@ -4,26 +4,12 @@
 #include <stdexcept>
 
 #include "tb/cosim/engine_device.hpp"
+#include "tb/cosim/map_lookup.hpp"
 #include "tb/cosim/stream_ends.hpp"
 
 namespace relievo::tb {
 
 namespace detail {
-
-// Where a word lies in a map, or a failure when the circuit asks for what the map does not have.
-struct map_place {
-  hls::map_regs const* map = nullptr;
-  bench_wires* wires = nullptr;
-
-  std::size_t operator()(char const* memory, hls::fixed<formats::map_size> x, hls::fixed<formats::map_size> y) const {
-    if (raw(x) >= raw(map->width) || raw(y) >= raw(map->height)) {
-      wires->fail(std::string(memory) + ": word (" + std::to_string(raw(x)) + ", " + std::to_string(raw(y)) +
-                  ") was asked for, of a map of " + std::to_string(raw(map->width)) + " x " + std::to_string(raw(map->height)));
-      return 0;
-    }
-    return static_cast<std::size_t>(raw(y) * raw(map->width) + raw(x));
-  }
-};
 
 template <class Model, int Lanes, int Reads, int Samples>
 class bench final : public engine_bench {
@@ -41,8 +27,6 @@ class bench final : public engine_bench {
         device_("engine", links_, wires_, settings),
         source_("source", links_.in, wires_, pacer(settings.idle, settings.seed)),
         sink_("sink", links_.out, wires_, pacer(settings.stall, settings.seed + 1)) {
-    place_.map = &device_.regs.map;
-    place_.wires = &wires_;
     check("check_in", links_.in, true);
     check("check_out", links_.out, true);
     for (int i = 0; i < Lanes; ++i) add_lane(i);
@@ -57,7 +41,6 @@ class bench final : public engine_bench {
 
   cosim_result run(cosim_scene const& scene, std::function<void(hls::triangle_out const&)> const& out, bool reset,
                    std::uint64_t abort_after) override {
-    scene_ = &scene;
     take_ = out;
     last_seen_ = false;
     if (reset || !begun_) {
@@ -69,6 +52,7 @@ class bench final : public engine_bench {
       advance(1);
     }
     device_.regs = scene.regs;
+    look_.load(contents_of(scene.regs.map, scene.memories));
     source_.load(scene.triangles);
     for (link_observer* o : observers_) o->forget();
     device_.start = true;
@@ -152,9 +136,12 @@ class bench final : public engine_bench {
   template <class Memory, class Port, class LookUp>
   void add_memory(char const* name, Port& port, int lane, LookUp const& look_up) {
     const std::uint64_t seed = settings_.seed + 10 + static_cast<std::uint64_t>(modules_.size());
-    auto m = std::make_shared<Memory>(sc_core::sc_gen_unique_name(name), port.requests, port.answers, wires_,
-                                      memory_latency{settings_.latency_low, settings_.latency_high, settings_.bursty},
-                                      pacer(settings_.stall, seed), seed * 977 + static_cast<std::uint64_t>(lane));
+    bus_traffic traffic;
+    traffic.latency_low = settings_.latency_low, traffic.latency_high = settings_.latency_high;
+    traffic.bursty = settings_.bursty;
+    traffic.seed = seed * 977;
+    auto m = std::make_shared<Memory>(sc_core::sc_gen_unique_name(name), port.requests, port.answers, wires_, pacer(settings_.stall, seed),
+                                      answer_times(traffic, static_cast<std::uint64_t>(lane)));
     m->look_up = look_up;
     memories_empty_.push_back([m] { return m->empty(); });
     modules_.push_back(m);
@@ -163,38 +150,14 @@ class bench final : public engine_bench {
   }
   void add_lane(int i) {
     auto& lane = *links_.lanes[static_cast<std::size_t>(i)];
-    const auto texels = [this](quad_request const& r) {
-      texel_quad q{};
-      for (int row = 0; row < 2; ++row)
-        for (int column = 0; column < 2; ++column)
-          q.q[row][column] =
-              hls::from_raw<formats::texel>(scene_->memories.displacement.words[place_("displacement", r.x[column], r.y[row])]);
-      return q;
-    };
-    add_memory<table_memory>("table", lane.table, i, [this](typename links_type::table_requests const& r) {
-      typename links_type::table_answers a{};
-      for (int n = 0; n < Reads; ++n)
-        if (r.at[n].read)
-          a.at[n].word = hls::from_raw<formats::table_sum>(
-              static_cast<std::int64_t>(scene_->memories.table.words[place_("summed-area table", r.at[n].x, r.at[n].y)]));
-      return a;
+    add_memory<table_memory>("table", lane.table, i, [this](typename links_type::table_requests const& r) { return look_.table_words(r); });
+    add_memory<quad_memory>("quad", lane.quad, i, [this](typename links_type::quad_requests const& r) {
+      std::uint64_t wanted = 0;
+      for (int n = 0; n < Samples; ++n) wanted |= static_cast<std::uint64_t>(r.wanted[n]) << n;
+      return look_.wanted_texels(r.quads, wanted);
     });
-    add_memory<quad_memory>("quad", lane.quad, i, [texels](typename links_type::quad_requests const& r) {
-      typename links_type::quad_answers a{};
-      for (int n = 0; n < Samples; ++n)
-        if (r.wanted[n]) a.at[n] = texels(r.quads.at[n]);
-      return a;
-    });
-    add_memory<place_memory>("place", lane.place, i, texels);
-    add_memory<normal_memory>("normal", lane.normal, i, [this](quad_request const& r) {
-      normal_quad q{};
-      for (int row = 0; row < 2; ++row)
-        for (int column = 0; column < 2; ++column) {
-          const std::uint64_t word = scene_->memories.normals.words[place_("normal map", r.x[column], r.y[row])];
-          for (int k = 0; k < 3; ++k) q.q[row][column][k] = hls::unpack_normal(word, k);
-        }
-      return q;
-    });
+    add_memory<place_memory>("place", lane.place, i, [this](quad_request const& r) { return look_.texels(r); });
+    add_memory<normal_memory>("normal", lane.normal, i, [this](quad_request const& r) { return look_.normals(r); });
   }
 
   cosim_settings settings_;
@@ -206,8 +169,7 @@ class bench final : public engine_bench {
   std::vector<std::shared_ptr<sc_core::sc_module>> modules_;
   std::vector<link_observer*> observers_;
   std::vector<std::function<bool()>> memories_empty_;
-  map_place place_;
-  cosim_scene const* scene_ = nullptr;
+  map_lookup look_{[this](std::string const& what) { wires_.fail(what); }};
   std::function<void(hls::triangle_out const&)> take_;
   bool begun_ = false;
   bool last_seen_ = false;

@@ -11,19 +11,11 @@
 #include <string>
 #include <utility>
 
-#include "hls/surface/map_regs.hpp"
 #include "tb/cosim/bus_traffic.hpp"
-#include "tb/cosim/map_words.hpp"
+#include "tb/cosim/map_lookup.hpp"
 #include "tb/cosim/ports_of_lanes.hpp"
 
 namespace relievo::tb {
-
-// The maps, row by row; they outlive the runs that read them.
-struct map_contents {
-  int width = 0, height = 0;
-  std::uint16_t const* texels = nullptr;
-  std::uint64_t const *table = nullptr, *normals = nullptr;
-};
 
 template <class Model, int Lanes, int Reads, int Samples>
 class map_ports {
@@ -34,7 +26,7 @@ class map_ports {
   using quad_requests = group<quad_request, Samples>;
   using quad_answers = group<texel_quad, Samples>;
 
-  map_ports(bus_traffic const& t, failure_hook fail) : fail_(std::move(fail)), table_(t, 1), quad_(t, 2), place_(t, 3), normal_(t, 4) {}
+  map_ports(bus_traffic const& t, failure_hook fail) : look_(std::move(fail)), table_(t, 1), quad_(t, 2), place_(t, 3), normal_(t, 4) {}
 
   bool error_next = false;
 
@@ -50,7 +42,7 @@ class map_ports {
     normal_.forget();
   }
   bool asks(Model const& m) const { return m.table_req_valid_o || m.quad_req_valid_o || m.place_req_valid_o || m.normal_req_valid_o; }
-  void load(map_contents const& c) { map_ = c; }
+  void load(map_contents const& c) { look_.load(c); }
   std::uint64_t answered() const { return table_.answered + quad_.answered + place_.answered + normal_.answered; }
 
   // An answer that is awaited, else a request that is not taken.
@@ -71,16 +63,12 @@ class map_ports {
     error_next = false;
   }
   void take(Model& m, std::uint64_t clock) {
-    table_.take(clock, m.table_req_valid_o, m.table_req_o, [this](table_requests const& r, int) { return table_words(r); });
+    table_.take(clock, m.table_req_valid_o, m.table_req_o, [this](table_requests const& r, int) { return look_.table_words(r); });
     quad_.take(clock, m.quad_req_valid_o, m.quad_req_o, [&](quad_requests const& r, int lane) {
-      quad_answers a{};
-      const std::uint64_t wanted = get_bits<64>(m.quad_req_mask_o, lane * Samples, Samples).limb[0];
-      for (int i = 0; i < Samples; ++i)
-        if (((wanted >> i) & 1) != 0) a.at[i] = texels(r.at[i]);
-      return a;
+      return look_.wanted_texels(r, get_bits<64>(m.quad_req_mask_o, lane * Samples, Samples).limb[0]);
     });
-    place_.take(clock, m.place_req_valid_o, m.place_req_o, [this](quad_request const& r, int) { return texels(r); });
-    normal_.take(clock, m.normal_req_valid_o, m.normal_req_o, [this](quad_request const& r, int) { return normals(r); });
+    place_.take(clock, m.place_req_valid_o, m.place_req_o, [this](quad_request const& r, int) { return look_.texels(r); });
+    normal_.take(clock, m.normal_req_valid_o, m.normal_req_o, [this](quad_request const& r, int) { return look_.normals(r); });
   }
 
  private:
@@ -138,38 +126,7 @@ class map_ports {
     }
   };
 
-  std::size_t place(std::int64_t x, std::int64_t y) {
-    if (x >= map_.width || y >= map_.height) {
-      fail_("word (" + std::to_string(x) + ", " + std::to_string(y) + ") was asked for, of a map of " + std::to_string(map_.width) + " x " +
-            std::to_string(map_.height));
-      return 0;
-    }
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(map_.width) + static_cast<std::size_t>(x);
-  }
-  texel_quad texels(quad_request const& r) {
-    texel_quad q{};
-    for (int row = 0; row < 2; ++row)
-      for (int column = 0; column < 2; ++column)
-        q.q[row][column] = hls::from_raw<formats::texel>(map_.texels[place(raw(r.x[column]), raw(r.y[row]))]);
-    return q;
-  }
-  normal_quad normals(quad_request const& r) {
-    normal_quad q{};
-    for (int row = 0; row < 2; ++row)
-      for (int column = 0; column < 2; ++column)
-        for (int i = 0; i < 3; ++i) q.q[row][column][i] = hls::unpack_normal(map_.normals[place(raw(r.x[column]), raw(r.y[row]))], i);
-    return q;
-  }
-  table_answers table_words(table_requests const& r) {
-    table_answers a{};
-    for (int i = 0; i < Reads; ++i)
-      if (r.at[i].read)
-        a.at[i].word = hls::from_raw<formats::table_sum>(static_cast<std::int64_t>(map_.table[place(raw(r.at[i].x), raw(r.at[i].y))]));
-    return a;
-  }
-
-  failure_hook fail_;
-  map_contents map_;
+  map_lookup look_;
   port<table_requests, table_answers> table_;
   port<quad_requests, quad_answers> quad_;
   port<quad_request, texel_quad> place_;

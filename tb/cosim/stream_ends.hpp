@@ -5,6 +5,7 @@
 #include <functional>
 #include <vector>
 
+#include "tb/cosim/bus_traffic.hpp"
 #include "tb/cosim/link.hpp"
 #include "tb/cosim/pacer.hpp"
 
@@ -74,21 +75,15 @@ class sink : public sc_core::sc_module {
   pacer pace_;
 };
 
-// Clocks from a request to its answer: low..high at random; bursty: answers only in the second half of every 64 clocks.
-struct memory_latency {
-  int low = 1, high = 1;
-  bool bursty = false;
-};
-
 template <class Request, class Answer>
 class memory : public sc_core::sc_module {
  public:
   SC_HAS_PROCESS(memory);
   using request_word = hls::port_word<Request>;
   using answer_word = hls::port_word<Answer>;
-  memory(sc_core::sc_module_name name, link<request_word>& requests, link<answer_word>& answers, bench_wires& wires, memory_latency latency,
-         pacer const& pace, std::uint64_t seed)
-      : sc_module(name), requests_(requests), answers_(answers), wires_(wires), latency_(latency), pace_(pace), random_(seed) {
+  memory(sc_core::sc_module_name name, link<request_word>& requests, link<answer_word>& answers, bench_wires& wires, pacer const& pace,
+         answer_times const& times)
+      : sc_module(name), requests_(requests), answers_(answers), wires_(wires), pace_(pace), times_(times) {
     SC_METHOD(step);
     sensitive << wires.clock.posedge_event();
     dont_initialize();
@@ -110,13 +105,11 @@ class memory : public sc_core::sc_module {
       return;
     }
     if (requests_.valid.read() && requests_.ready.read()) {
-      std::uint64_t due = clock_ + static_cast<std::uint64_t>(latency_.low - 1);
-      if (latency_.high > latency_.low) due += random_() % static_cast<std::uint64_t>(latency_.high - latency_.low + 1);
-      if (!pending_.empty() && pending_.back().due >= due) due = pending_.back().due + 1;
+      // The request went over in the clock that ends here.
+      const std::uint64_t due = times_.due(clock_ - 1, pending_.empty() ? 0 : pending_.back().due);
       pending_.push_back({due, hls::pack(look_up(hls::unpack<Request>(requests_.word.read())))});
     }
-    const bool open = !latency_.bursty || clock_ % 64 >= 32;
-    const bool due = open && !pending_.empty() && pending_.front().due <= clock_;
+    const bool due = times_.open(clock_) && !pending_.empty() && pending_.front().due <= clock_;
     answers_.valid.write(due);
     if (due) {
       answers_.word.write(pending_.front().word);
@@ -128,9 +121,8 @@ class memory : public sc_core::sc_module {
   link<request_word>& requests_;
   link<answer_word>& answers_;
   bench_wires& wires_;
-  memory_latency latency_;
   pacer pace_;
-  std::minstd_rand random_;
+  answer_times times_;
   std::deque<pending> pending_;
   std::uint64_t clock_ = 0;
 };

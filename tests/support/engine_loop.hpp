@@ -21,7 +21,7 @@
 
 #include "tb/cosim/coverage.hpp"
 #include "tb/cosim/engine_bench.hpp"
-#include "tb/cosim/map_words.hpp"
+#include "tb/cosim/map_lookup.hpp"
 #include "tb/cosim/pacer.hpp"
 #include "tb/cosim/ports.hpp"
 #include "tb/cosim/ports_of_lanes.hpp"
@@ -56,7 +56,7 @@ class engine_loop {
   using take_record = std::function<void(hls::triangle_out const&)>;
   std::uint64_t run(tb::cosim_scene const& scene, tb::cosim_settings const& traffic, take_record const& out) {
     scene_ = &scene;
-    traffic_ = traffic;
+    look_.load(tb::contents_of(scene.regs.map, scene.memories));
     out_ = &out;
     source_ = tb::pacer(traffic.idle, traffic.seed);
     sink_ = tb::pacer(traffic.stall, traffic.seed + 1);
@@ -98,54 +98,31 @@ class engine_loop {
   struct memory {
     std::deque<std::pair<std::uint64_t, Answer>> pending;  // the clock from which an answer may come
     tb::pacer pace{0, 0};
-    std::minstd_rand random{};
+    tb::answer_times times{{}, 0};
 
     void begin(tb::cosim_settings const& traffic, std::uint64_t salt) {
       pace = tb::pacer(traffic.stall, traffic.seed + salt);
-      random.seed(static_cast<std::minstd_rand::result_type>(traffic.seed * 977 + salt));
+      tb::bus_traffic t;
+      t.latency_low = traffic.latency_low, t.latency_high = traffic.latency_high;
+      t.bursty = traffic.bursty;
+      t.seed = traffic.seed * 977;
+      times = tb::answer_times(t, salt);
     }
   };
 
   [[noreturn]] void fail(std::string const& what) const { throw tb::cosim_error(what + ", clock " + std::to_string(clocks_)); }
 
-  std::size_t place_of(hls::fixed<formats::map_size> x, hls::fixed<formats::map_size> y) const {
-    hls::map_regs const& map = scene_->regs.map;
-    if (raw(x) >= raw(map.width) || raw(y) >= raw(map.height))
-      fail("word (" + std::to_string(raw(x)) + ", " + std::to_string(raw(y)) + ") of a map was asked for that has none there");
-    return static_cast<std::size_t>(raw(y) * raw(map.width) + raw(x));
-  }
-  tb::texel_quad texels(tb::quad_request const& r) const {
-    tb::texel_quad q{};
-    for (int row = 0; row < 2; ++row)
-      for (int column = 0; column < 2; ++column)
-        q.q[row][column] = hls::from_raw<formats::texel>(scene_->memories.displacement.words[place_of(r.x[column], r.y[row])]);
-    return q;
-  }
-  tb::normal_quad normals(tb::quad_request const& r) const {
-    tb::normal_quad q{};
-    for (int row = 0; row < 2; ++row)
-      for (int column = 0; column < 2; ++column) {
-        const std::uint64_t word = scene_->memories.normals.words[place_of(r.x[column], r.y[row])];
-        for (int k = 0; k < 3; ++k) q.q[row][column][k] = hls::unpack_normal(word, k);
-      }
-    return q;
-  }
-
   // A memory in this clock: what it answers, and what it is asked.
   template <class Answer, class Word, class Ask>
   void serve(memory<Answer>& m, CData asks, CData& ready, CData& answers, Word& answer, Ask ask) {
-    const bool open = !traffic_.bursty || clocks_ % 64 >= 32;
-    answers = open && !m.pending.empty() && m.pending.front().first <= clocks_;
+    answers = m.times.open(clocks_) && !m.pending.empty() && m.pending.front().first <= clocks_;
     if (answers) {
       tb::put(answer, m.pending.front().second);
       m.pending.pop_front();
     }
     ready = m.pace.go();
     if (!asks || !ready) return;
-    std::uint64_t due = clocks_ + static_cast<std::uint64_t>(traffic_.latency_low);
-    const int spread = traffic_.latency_high - traffic_.latency_low;
-    if (spread > 0) due += m.random() % static_cast<std::uint64_t>(spread + 1);
-    if (!m.pending.empty() && m.pending.back().first >= due) due = m.pending.back().first + 1;
+    const std::uint64_t due = m.times.due(clocks_, m.pending.empty() ? 0 : m.pending.back().first);
     m.pending.emplace_back(due, ask());
   }
 
@@ -166,26 +143,14 @@ class engine_loop {
     }
     m.out_ready_i = sink_.go();
     take_output();
-    serve(table_, m.table_req_valid_o, m.table_req_ready_i, m.table_rsp_valid_i, m.table_rsp_i, [&] {
-      const auto wanted = tb::get<tb::group<tb::table_request, Reads>>(m.table_req_o);
-      tb::group<tb::table_word, Reads> a{};
-      for (int n = 0; n < Reads; ++n)
-        if (wanted.at[n].read)
-          a.at[n].word = hls::from_raw<formats::table_sum>(
-              static_cast<std::int64_t>(scene_->memories.table.words[place_of(wanted.at[n].x, wanted.at[n].y)]));
-      return a;
-    });
-    serve(quads_, m.quad_req_valid_o, m.quad_req_ready_i, m.quad_rsp_valid_i, m.quad_rsp_i, [&] {
-      const auto wanted = tb::get<tb::group<tb::quad_request, Samples>>(m.quad_req_o);
-      tb::group<tb::texel_quad, Samples> a{};
-      for (int n = 0; n < Samples; ++n)
-        if ((m.quad_req_mask_o >> n & 1) != 0) a.at[n] = texels(wanted.at[n]);
-      return a;
-    });
+    serve(table_, m.table_req_valid_o, m.table_req_ready_i, m.table_rsp_valid_i, m.table_rsp_i,
+          [&] { return look_.table_words(tb::get<tb::group<tb::table_request, Reads>>(m.table_req_o)); });
+    serve(quads_, m.quad_req_valid_o, m.quad_req_ready_i, m.quad_rsp_valid_i, m.quad_rsp_i,
+          [&] { return look_.wanted_texels(tb::get<tb::group<tb::quad_request, Samples>>(m.quad_req_o), m.quad_req_mask_o); });
     serve(place_, m.place_req_valid_o, m.place_req_ready_i, m.place_rsp_valid_i, m.place_rsp_i,
-          [&] { return texels(tb::get<tb::quad_request>(m.place_req_o)); });
+          [&] { return look_.texels(tb::get<tb::quad_request>(m.place_req_o)); });
     serve(normals_, m.normal_req_valid_o, m.normal_req_ready_i, m.normal_rsp_valid_i, m.normal_rsp_i,
-          [&] { return normals(tb::get<tb::quad_request>(m.normal_req_o)); });
+          [&] { return look_.normals(tb::get<tb::quad_request>(m.normal_req_o)); });
     edge();
   }
 
@@ -222,7 +187,7 @@ class engine_loop {
   std::unique_ptr<Model> model_;
   tb::keep_coverage kept_{context_};
   tb::cosim_scene const* scene_ = nullptr;
-  tb::cosim_settings traffic_;
+  tb::map_lookup look_{[this](std::string const& what) { fail(what); }};
   take_record const* out_ = nullptr;
   tb::pacer source_{0, 0}, sink_{0, 0};
   memory<tb::group<tb::table_word, Reads>> table_;

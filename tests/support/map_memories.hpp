@@ -8,7 +8,7 @@
 #pragma once
 #include <gtest/gtest.h>
 
-#include "tb/cosim/map_words.hpp"
+#include "tb/cosim/map_lookup.hpp"
 #include "tests/support/maps.hpp"
 
 namespace relievo::test {
@@ -35,46 +35,21 @@ struct map_stimulus<In, no_regs> {
   RELIEVO_FIELDS(in, map)
 };
 
-namespace detail {
-
-// The place of texel (x, y), 0 and a failure where there is none.
-inline std::size_t word_place(test_map const& map, hls::fixed<formats::map_size> x, hls::fixed<formats::map_size> y) {
-  if (raw(x) >= map.width() || raw(y) >= map.height()) {
-    ADD_FAILURE() << "word (" << raw(x) << ", " << raw(y) << ") was asked for, of a map of " << map.width() << " x " << map.height();
-    return 0;
-  }
-  return static_cast<std::size_t>(raw(y) * map.width() + raw(x));
+inline tb::map_lookup lookup(test_map const& map) {
+  tb::map_lookup look([](std::string const& what) { ADD_FAILURE() << what; });
+  look.load({static_cast<int>(map.width()), static_cast<int>(map.height()), map.texels().words, map.table().words, map.normals().words});
+  return look;
 }
-
-}  // namespace detail
 
 inline auto texel_answers(test_map const& map) {
-  return [&map](quad_request const& request) {
-    texel_quad answer{};
-    for (int row = 0; row < 2; ++row)
-      for (int column = 0; column < 2; ++column)
-        answer.q[row][column] =
-            hls::from_raw<formats::texel>(map.texels().words[detail::word_place(map, request.x[column], request.y[row])]);
-    return answer;
-  };
+  return [&map](quad_request const& request) { return lookup(map).texels(request); };
 }
-
 inline auto normal_answers(test_map const& map) {
-  return [&map](quad_request const& request) {
-    normal_quad answer{};
-    for (int row = 0; row < 2; ++row)
-      for (int column = 0; column < 2; ++column) {
-        const std::uint64_t word = map.normals().words[detail::word_place(map, request.x[column], request.y[row])];
-        for (int i = 0; i < 3; ++i) answer.q[row][column][i] = hls::unpack_normal(word, i);
-      }
-    return answer;
-  };
+  return [&map](quad_request const& request) { return lookup(map).normals(request); };
 }
-
 inline auto table_answers(test_map const& map) {
   return [&map](table_request const& request) {
-    const std::uint64_t word = request.read ? map.table().words[detail::word_place(map, request.x, request.y)] : 0xfedcba9876u;
-    return table_word{hls::from_raw<formats::table_sum>(static_cast<std::int64_t>(word))};
+    return request.read ? lookup(map).table(request) : table_word{hls::from_raw<formats::table_sum>(0xfedcba9876)};
   };
 }
 
