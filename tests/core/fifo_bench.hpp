@@ -26,7 +26,7 @@ class fifo_bench {
  public:
   fifo_bench(std::size_t depth, std::uint64_t latency) : depth_(depth), latency_(latency) {
     context_.randReset(2);
-    context_.randSeed(static_cast<int>(seed() & 0x7fffffff) + 1);
+    context_.randSeed(reset_seed());
     unit_.rst_ni = 0;
     unit_.in_valid_i = unit_.out_ready_i = 0;
     clock();

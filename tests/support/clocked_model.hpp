@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "tb/cosim/coverage.hpp"
-#include "tests/support/settings.hpp"
+#include "tests/support/random.hpp"
 
 namespace relievo::test {
 
@@ -16,7 +16,7 @@ class clocked_model {
  public:
   clocked_model() {
     context_.randReset(2);
-    context_.randSeed(static_cast<int>(seed() & 0x7fffffff) + 1);
+    context_.randSeed(reset_seed());
     model_ = std::make_unique<Model>(&context_);
     model_->clk_i = 0;
     model_->rst_ni = 0;

@@ -55,7 +55,7 @@ class edge_engine_bench : public tb::edge_engine_host<Model, Memories> {
     b.latency_low = static_cast<int>(t.latency_low);
     b.latency_high = static_cast<int>(t.latency_high);
     b.seed = g();
-    b.reset_seed = static_cast<int>(seed() & 0x7fffffff) + 1;
+    b.reset_seed = reset_seed();
     return b;
   }
 

@@ -111,7 +111,7 @@ class builder_bench {
   static std::unique_ptr<VerilatedContext> make_context() {
     auto context = std::make_unique<VerilatedContext>();
     context->randReset(2);
-    context->randSeed(static_cast<int>(seed() & 0x7fffffff) + 1);
+    context->randSeed(reset_seed());
     return context;
   }
   void edge() {

@@ -32,7 +32,7 @@ class queue_bench {
  public:
   explicit queue_bench(queue_settings const& s) : s_(s), g_(next_generator()) {
     context_.randReset(2);
-    context_.randSeed(static_cast<int>(seed() & 0x7fffffff) + 1);
+    context_.randSeed(reset_seed());
     model_ = std::make_unique<Model>(&context_);
     model_->regs_i = s.fifo ? 1 : 0;
     model_->max_generation_i = static_cast<unsigned char>(s.max_generation);

@@ -1,6 +1,7 @@
 // random: the one source of random numbers of the unit tests, seeded, the same on every machine.
 //
 //   generator g(salt)   its own sequence for every run's seed and every salt (tests use their own name)
+//   reset_seed()        what a model's registers hold before reset: one of two seeds, now this one, now that, a model each
 //   g()                 64 random bits;  g.below(n) 0..n-1;  g.between(a, b) a..b;  g.chance(n) one time in n
 #pragma once
 #include <cstdint>
@@ -33,5 +34,13 @@ class generator {
  private:
   std::uint64_t state_;
 };
+
+// By the parity of the bits of how many there were, so that neither seed goes with one of the kinds of traffic that a test runs in turn.
+inline int reset_seed() {
+  static unsigned made = 0;
+  unsigned parity = made++;
+  for (int shift = 16; shift > 0; shift /= 2) parity ^= parity >> shift;
+  return static_cast<int>((seed() + 4711 * (parity & 1)) & 0x7fffffff) + 1;
+}
 
 }  // namespace relievo::test
