@@ -33,7 +33,7 @@ gate_packages() {
   fi
   local printed path status=0
   printed=$(mktemp -d)
-  mkdir "$printed"/{core,surface,edge}
+  mkdir "$printed"/{core,surface,edge,sweep}
   "$program" "$printed" || return
   while read -r path; do
     cmp -s "$printed/$path" "$root/rtl/$path" && continue

@@ -14,7 +14,7 @@ target_link_libraries(rtl_headers PRIVATE relievo_test_options)
 target_compile_options(rtl_headers PRIVATE -O1)
 target_precompile_headers(rtl_headers PRIVATE <gtest/gtest.h> <glm/glm.hpp> <algorithm> <deque> <memory> <string> <vector>)
 
-file(GLOB rtl_tests CONFIGURE_DEPENDS core/*_rtl.cpp surface/*_rtl.cpp edge/*_rtl.cpp top/*_rtl.cpp)
+file(GLOB rtl_tests CONFIGURE_DEPENDS core/*_rtl.cpp surface/*_rtl.cpp edge/*_rtl.cpp sweep/*_rtl.cpp top/*_rtl.cpp)
 foreach(test ${rtl_tests})
   get_filename_component(name ${test} NAME_WE)
   get_filename_component(folder ${test} DIRECTORY)

@@ -1,10 +1,11 @@
 // print_packages: the SystemVerilog packages that follow from the C++ headers, so that no width and no record is written twice.
 //   print_packages FOLDER    writes FOLDER/core/formats_pkg.sv from hls/core/formats.hpp, and the records of the units, as their headers
-//                            declare them, into core/core_pkg.sv, surface/surface_pkg.sv and edge/edge_pkg.sv
+//                            declare them, into core/core_pkg.sv, surface/surface_pkg.sv, edge/edge_pkg.sv and sweep/sweep_pkg.sv
 //   The committed files are compared with a fresh print by the test lint.packages. A packed struct begins at its top bit, so the fields
 //   stand from last to first: the first field lies at bit 0, and a record's bits are those of hls/core/packed.hpp without its padding.
 //   Formats of the same shape are one type in C++: a field has the format that its name ends with where there is one, else the
-//   first of its shape.
+//   one of its shape that the package prefers, else the first.
+#include <algorithm>
 #include <cstdio>
 #include <fstream>
 #include <map>
@@ -21,6 +22,9 @@
 #include "hls/surface/bump.hpp"
 #include "hls/surface/normal_map.hpp"
 #include "hls/surface/normal_sampler.hpp"
+#include "hls/sweep/case_selection.hpp"
+#include "hls/sweep/main_direction.hpp"
+#include "hls/sweep/primary_edge.hpp"
 #include "hls/top/top.hpp"
 
 namespace relievo::tb {
@@ -52,8 +56,11 @@ std::string camel_case(std::string const& name) {
   return out;
 }
 
+// Names of fields that SystemVerilog keeps for itself: they get an underscore behind them.
+bool is_keyword(std::string const& field) { return field == "edge"; }
+
 template <class F>
-std::string format_type(std::string const& field) {
+std::string format_type(std::string const& field, std::vector<std::string> const& preferred) {
   format_name const* first = nullptr;
   for (format_name const& f : format_names) {
     if (f.width != F::width || f.fraction != F::fraction || f.is_signed != F::is_signed) continue;
@@ -61,6 +68,7 @@ std::string format_type(std::string const& field) {
     const bool ends_with_it =
         field.size() > name.size() && field.compare(field.size() - name.size() - 1, std::string::npos, "_" + name) == 0;
     if (field == name || ends_with_it) return name + "_t";
+    if (std::find(preferred.begin(), preferred.end(), name) != preferred.end()) return name + "_t";
     if (first == nullptr) first = &f;
   }
   if (first != nullptr) return std::string(first->name) + "_t";
@@ -69,13 +77,15 @@ std::string format_type(std::string const& field) {
 
 class package {
  public:
-  explicit package(std::map<std::type_index, std::string>& known) : known_(known) {}
+  explicit package(std::map<std::type_index, std::string>& known, std::vector<std::string> preferred = {})
+      : known_(known), preferred_(std::move(preferred)) {}
 
   template <class Record>
   void record(std::string const& name) {
     std::vector<std::string> lines;
     const Record r{};
-    r.each_field([&](char const* field, auto const& x) { lines.push_back("    " + declaration(field, x) + ";\n"); });
+    r.each_field(
+        [&](char const* field, auto const& x) { lines.push_back("    " + declaration(field, x) + (is_keyword(field) ? "_;\n" : ";\n")); });
     text_ << "\n  typedef struct packed {\n";
     for (std::size_t i = lines.size(); i-- > 0;) text_ << lines[i];
     text_ << "  } " << name << "_t;\n";
@@ -95,7 +105,7 @@ class package {
   std::string type(std::string const&, bool const&) const { return "logic"; }
   template <class F>
   std::string type(std::string const& field, hls::fixed<F> const&) const {
-    return format_type<F>(field);
+    return format_type<F>(field, preferred_);
   }
   template <class T>
   std::string type(std::string const&, T const& x) const {
@@ -105,14 +115,14 @@ class package {
   std::string type(std::string const& field, T const (&x)[N]) const {
     const std::string element = type(field, x[0]);
     const std::string range = "[" + std::to_string(N - 1) + ":0]";
-    // An array of arrays: the outer range comes first.
+    // An array of arrays, or of words without a named format: the outer range comes first.
     const std::size_t inner = element.rfind(" [");
-    if (inner != std::string::npos && element.rfind("logic", 0) != 0)
-      return element.substr(0, inner) + " " + range + element.substr(inner + 1);
+    if (inner != std::string::npos) return element.substr(0, inner) + " " + range + element.substr(inner + 1);
     return element + " " + range;
   }
 
   std::map<std::type_index, std::string>& known_;
+  std::vector<std::string> preferred_;
   std::ostringstream text_;
 };
 
@@ -222,9 +232,21 @@ void print(std::string const& folder) {
   RELIEVO_RECORD(edge, engine_regs)
   edge.record<hls::top::base_vertex>("base_vertex");
   edge.record<hls::top::base_triangle>("base_triangle");
-#undef RELIEVO_RECORD
   write(folder + "/edge/edge_pkg.sv",
         records_package("edge_pkg", "records of the units of edge", formats + "  import surface_pkg::*;\n", edge));
+
+  package sweep(known, {"grid", "steps"});
+  RELIEVO_RECORD(sweep, main_direction_in)
+  RELIEVO_RECORD(sweep, main_direction_out)
+  RELIEVO_RECORD(sweep, primary_edge_in)
+  RELIEVO_RECORD(sweep, primary_edge_out)
+  RELIEVO_RECORD(sweep, remeshing_plane_in)
+  RELIEVO_RECORD(sweep, remeshing_plane_out)
+  RELIEVO_RECORD(sweep, case_selection_in)
+  RELIEVO_RECORD(sweep, sub_triangle)
+  RELIEVO_RECORD(sweep, case_selection_out)
+#undef RELIEVO_RECORD
+  write(folder + "/sweep/sweep_pkg.sv", records_package("sweep_pkg", "records of the units of sweep", formats, sweep));
 }
 
 }  // namespace
