@@ -4,23 +4,13 @@
 #include <gtest/gtest.h>
 
 #include "golden/sweep/case_selection.hpp"
-#include "hls/sweep/sweep_line.hpp"
-#include "tests/support/remeshed_mesh.hpp"
+#include "tests/support/sweep_words.hpp"
 #include "tests/support/vectors.hpp"
 
 namespace relievo::test {
 namespace {
 
 using input = hls::case_selection_in;
-
-input case_of(grid_triangle const& p) {
-  const hls::sweep_line_in corners = corners_of(p);
-  input in;
-  in.plane = hls::set_up(corners).plane;
-  for (int i = 0; i < 3; ++i)
-    for (int axis = 0; axis < 3; ++axis) in.p[i][axis] = corners.p[i][axis];
-  return in;
-}
 
 testing::AssertionResult agrees(input const& in) {
   return equal_words(hls::case_selection(in), golden::case_selection(as_golden<golden::case_selection_in>(in)));
@@ -57,7 +47,7 @@ TEST(case_selection, hls_equals_golden) {
   for_vectors<input>(
       [](input& in, generator& g) {
         const int size = g.chance(2) ? 4 : 16383;
-        in = case_of(g.chance(2) ? draw_triangle(g, size) : draw_sliver(g, size));
+        in = case_word(g.chance(2) ? draw_triangle(g, size) : draw_sliver(g, size));
       },
       [](input const& in) {
         const auto result = agrees(in);
@@ -69,7 +59,7 @@ TEST(case_selection, every_triangle_of_a_grid) {
   constexpr int r = 3;
   std::array<std::uint64_t, 4> kinds{};
   for (std::uint64_t number = 0; number < pairs_within(r); ++number) {
-    const input in = case_of(pair_of(number, r));
+    const input in = case_word(pair_of(number, r));
     ASSERT_TRUE(right(in));
     ++kinds[static_cast<std::size_t>(raw(hls::case_selection(in).kind))];
   }
@@ -79,18 +69,18 @@ TEST(case_selection, every_triangle_of_a_grid) {
 
 // Figure 13 a to c: A and B are p0 and p1, C is p2 above them.
 TEST(case_selection, the_three_cases_of_figure_13) {
-  const auto roof = hls::case_selection(case_of({{{0, 0, 0}, {9, 0, 0}, {4, 3, 0}}}));
+  const auto roof = hls::case_selection(case_word({{{0, 0, 0}, {9, 0, 0}, {4, 3, 0}}}));
   EXPECT_EQ(raw(roof.kind), hls::roof_case);
   EXPECT_FALSE(roof.sub[0].backward);
   EXPECT_TRUE(roof.sub[1].backward);
   EXPECT_EQ(raw(roof.sub[1].k0), -9);
   EXPECT_EQ(raw(roof.sub[1].k1), -4);
-  const auto increasing = hls::case_selection(case_of({{{0, 0, 0}, {9, 5, 0}, {4, 4, 0}}}));
+  const auto increasing = hls::case_selection(case_word({{{0, 0, 0}, {9, 5, 0}, {4, 4, 0}}}));
   EXPECT_EQ(raw(increasing.kind), hls::increasing_case);
   EXPECT_FALSE(increasing.sub[1].backward);
   EXPECT_EQ(raw(increasing.sub[1].from), 2);
   EXPECT_EQ(raw(increasing.sub[1].to), 1);
-  const auto decreasing = hls::case_selection(case_of({{{0, 5, 0}, {9, 0, 0}, {4, 4, 0}}}));
+  const auto decreasing = hls::case_selection(case_word({{{0, 5, 0}, {9, 0, 0}, {4, 4, 0}}}));
   EXPECT_EQ(raw(decreasing.kind), hls::decreasing_case);
   EXPECT_TRUE(decreasing.sub[0].backward);
   EXPECT_EQ(raw(decreasing.sub[0].from), 1);
@@ -99,11 +89,11 @@ TEST(case_selection, the_three_cases_of_figure_13) {
 
 TEST(case_selection, vertical_side_edges) {
   // C over A: the roof ends on the edge from A; increasing begins with it.
-  const auto roof = hls::case_selection(case_of({{{0, 0, 0}, {9, 0, 0}, {0, 4, 0}}}));
+  const auto roof = hls::case_selection(case_word({{{0, 0, 0}, {9, 0, 0}, {0, 4, 0}}}));
   EXPECT_FALSE(roof.sub[0].valid);
   EXPECT_TRUE(roof.sub[1].ends_on_edge);
   EXPECT_EQ(raw(roof.sub[1].end_corner), 0);
-  const auto increasing = hls::case_selection(case_of({{{0, 0, 0}, {9, 6, 0}, {0, 4, 0}}}));
+  const auto increasing = hls::case_selection(case_word({{{0, 0, 0}, {9, 6, 0}, {0, 4, 0}}}));
   EXPECT_FALSE(increasing.sub[0].valid);
   EXPECT_TRUE(increasing.sub[1].corner_list);
   EXPECT_TRUE(increasing.sub[1].starts_at_corner);

@@ -4,29 +4,13 @@
 #include <gtest/gtest.h>
 
 #include "golden/sweep/remeshing_plane.hpp"
-#include "hls/sweep/sweep_line.hpp"
-#include "tests/support/remeshed_mesh.hpp"
+#include "tests/support/sweep_words.hpp"
 #include "tests/support/vectors.hpp"
 
 namespace relievo::test {
 namespace {
 
 using input = hls::remeshing_plane_in;
-
-input plane_of(grid_triangle const& p) {
-  const hls::sweep_line_in corners = corners_of(p);
-  hls::primary_edge_in edges;
-  input in;
-  const hls::sweep_setup setup = hls::set_up(corners);
-  for (int i = 0; i < 3; ++i) {
-    for (int axis = 0; axis < 3; ++axis) in.p[i][axis] = edges.p[i][axis] = corners.p[i][axis];
-    edges.axis[i] = setup.main[i].axis;
-    edges.n[i] = setup.main[i].n;
-  }
-  in.edge = hls::primary_edge(edges).edge;
-  in.axis = edges.axis[raw(in.edge)];
-  return in;
-}
 
 testing::AssertionResult agrees(input const& in) {
   return equal_words(hls::remeshing_plane(in), golden::remeshing_plane(as_golden<golden::remeshing_plane_in>(in)));
@@ -61,7 +45,7 @@ TEST(remeshing_plane, hls_equals_golden_on_triangles) {
   for_vectors<input>(
       [](input& in, generator& g) {
         const int size = g.chance(2) ? 6 : 16383;
-        in = plane_of(g.chance(2) ? draw_triangle(g, size) : draw_sliver(g, size));
+        in = plane_word(g.chance(2) ? draw_triangle(g, size) : draw_sliver(g, size));
       },
       [](input const& in) {
         const auto result = agrees(in);
@@ -74,7 +58,7 @@ TEST(remeshing_plane, det_is_zero_exactly_on_one_line) {
   constexpr int r = 3;
   for (std::uint64_t number = 0; number < pairs_within(r); ++number) {
     const grid_triangle p = pair_of(number, r);
-    const input in = plane_of(p);
+    const input in = plane_word(p);
     ASSERT_TRUE(right(in));
     bool line = true;
     for (std::size_t i = 0; i < 3; ++i) line &= p[1][i] * p[2][(i + 1) % 3] == p[1][(i + 1) % 3] * p[2][i];
