@@ -111,7 +111,7 @@ filter_levels described(Imf::Header const& header, std::string const& name) {
   const Imf::Channel* only = channels.findChannel(channel);
   if (only == nullptr || ++channels.begin() != channels.end() || only->type != Imf::FLOAT || only->xSampling != 1 || only->ySampling != 1)
     throw input_error(name + ": one channel Y of floats, with every pixel, is needed");
-  const auto window = header.dataWindow();
+  auto const& window = header.dataWindow();
   if (window.min.x != 0 || window.min.y != 0) throw input_error(name + ": its data window begins beside 0, 0");
   map.width = window.max.x + 1;
   map.height = window.max.y + 1;
