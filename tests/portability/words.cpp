@@ -2,91 +2,15 @@
 // the simulation's fixed, over ap_fixed and over ac_fixed, and every line must be the same.
 //
 //   words VECTORS      conversions and operators between formats, each unit, each port, then the engine on a small scene
-#include <cinttypes>
-#include <cstdint>
-#include <cstdio>
 #include <cstdlib>
 #include <memory>
 #include <vector>
 
-#include "hls/top/top.hpp"
+#include "tests/portability/records.hpp"
+#include "tests/portability/sweep_words.hpp"
 
-// Inside relievo, where hls is relievo::hls whatever a tool calls its own.
 namespace relievo {
 namespace {
-
-// splitmix64
-std::uint64_t next_random() {
-  static std::uint64_t state = 20000821;
-  std::uint64_t z = (state += 0x9e3779b97f4a7c15u);
-  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-  z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-  return z ^ (z >> 31);
-}
-
-// Words of every size and both ends of the format.
-template <class F>
-std::int64_t random_word() {
-  const std::uint64_t bits = next_random(), kind = next_random() % 8;
-  if (kind == 0) return hls::fixed<F>::max_raw - static_cast<std::int64_t>(bits % 2);
-  if (kind == 1) return hls::fixed<F>::min_raw + static_cast<std::int64_t>(bits % 2);
-  const int drop = 64 - F::width + (kind < 5 ? 0 : static_cast<int>(next_random() % F::width));
-  return F::is_signed ? static_cast<std::int64_t>(bits) >> drop : static_cast<std::int64_t>(bits >> drop);
-}
-
-struct drawer {
-  template <class T>
-  void operator()(char const*, T& x) {
-    draw(x);
-  }
-  void draw(bool& x) { x = next_random() % 2 != 0; }
-  template <class F>
-  void draw(hls::fixed<F>& x) {
-    x = hls::from_raw<F>(random_word<F>());
-  }
-  template <class T, int N>
-  void draw(T (&x)[N]) {
-    for (int i = 0; i < N; ++i) draw(x[i]);
-  }
-  template <class T>
-  auto draw(T& x) -> decltype(x.each_field(*this)) {
-    x.each_field(*this);
-  }
-};
-template <class T>
-T random_record() {
-  T record;
-  drawer d;
-  d.draw(record);
-  return record;
-}
-
-struct printer {
-  template <class T>
-  void operator()(char const*, T const& x) {
-    print(x);
-  }
-  void print(bool x) { std::printf(" %d", x ? 1 : 0); }
-  template <class F>
-  void print(hls::fixed<F> const& x) {
-    std::printf(" %" PRId64, hls::raw(x));
-  }
-  template <class T, int N>
-  void print(T const (&x)[N]) {
-    for (int i = 0; i < N; ++i) print(x[i]);
-  }
-  template <class T>
-  auto print(T const& x) -> decltype(x.each_field(*this)) {
-    x.each_field(*this);
-  }
-};
-template <class T>
-void print_record(char const* name, T const& record) {
-  std::printf("%s", name);
-  printer p;
-  p.print(record);
-  std::printf("\n");
-}
 
 // ---- fixed ---------------------------------------------------------------------------------------------------------------
 
@@ -131,15 +55,6 @@ void fixed_vectors() {
 }
 
 // ---- units and their ports --------------------------------------------------------------------------------------------------
-
-template <class Out, class In, class Call>
-void through(char const* name, In const& record, Call call) {
-  hls::port<In> in;
-  hls::port<Out> out;
-  in.write(hls::pack(record));
-  call(in, out);
-  print_record(name, hls::unpack<Out>(out.read()));
-}
 
 constexpr int map_width = 23, map_height = 17;
 struct memories {
@@ -323,75 +238,6 @@ void engine(memories const& m, hls::map_regs const& map) {
   std::printf("counters");
   for (const std::uint64_t count : counts) std::printf(" %" PRIu64, count);
   std::printf("\n");
-}
-
-// A small triangle anywhere, through the units of the sweep one after the other.
-void sweep(bool print) {
-  hls::sweep_line_in corners;
-  hls::primary_edge_in edges;
-  hls::remeshing_plane_in projected;
-  hls::case_selection_in cases;
-  for (int axis = 0; axis < 3; ++axis) {
-    const std::int64_t from = static_cast<std::int64_t>(next_random() % 60000) - 30000;
-    for (int i = 0; i < 3; ++i) {
-      corners.p[i][axis] = hls::from_raw<formats::grid>(from + static_cast<std::int64_t>(next_random() % 20));
-      edges.p[i][axis] = projected.p[i][axis] = cases.p[i][axis] = corners.p[i][axis];
-    }
-  }
-  const hls::sweep_setup setup = hls::set_up(corners);
-  for (int i = 0; i < 3; ++i) {
-    hls::main_direction_in ends;
-    for (int axis = 0; axis < 3; ++axis) {
-      ends.p[0][axis] = corners.p[i][axis];
-      ends.p[1][axis] = corners.p[(i + 1) % 3][axis];
-    }
-    through<hls::main_direction_out>("main_direction", ends, relievo_main_direction);
-    edges.axis[i] = setup.main[i].axis;
-    edges.n[i] = setup.main[i].n;
-  }
-  through<hls::primary_edge_out>("primary_edge", edges, relievo_primary_edge);
-  projected.edge = hls::primary_edge(edges).edge;
-  projected.axis = edges.axis[hls::raw(projected.edge)];
-  through<hls::remeshing_plane_out>("remeshing_plane", projected, relievo_remeshing_plane);
-  cases.plane = setup.plane;
-  through<hls::case_selection_out>("case_selection", cases, relievo_case_selection);
-
-  // Any data at the corners: difference_vertices and the walk take what they are given.
-  hls::interpolants data[9];
-  for (hls::interpolants& corner : data) corner = random_record<hls::interpolants>();
-  const auto data_port = std::make_unique<hls::port<hls::interpolants>>();
-  hls::port<hls::interpolants>& data_in = *data_port;
-  const auto write_data = [&] {
-    for (hls::interpolants const& corner : data) data_in.write(hls::pack(corner));
-  };
-  hls::top::placed_triangle placed;
-  for (int i = 0; i < 3; ++i)
-    for (int axis = 0; axis < 3; ++axis) placed.p[i][axis] = corners.p[i][axis];
-  placed.plane = setup.plane;
-  write_data();
-  through<hls::difference_vertices_out>("difference_vertices", placed,
-                                        [&](hls::port<hls::top::placed_triangle>& in, hls::port<hls::difference_vertices_out>& out) {
-                                          relievo_difference_vertices(in, data_in, out);
-                                        });
-  if (!print) return;
-  const auto in = std::make_unique<hls::port<hls::sweep_line_in>>();
-  const auto out = std::make_unique<hls::port<hls::top::swept_primitive>>();
-  in->write(hls::pack(corners));
-  relievo_sweep_line(*in, *out);
-  for (bool last = false; !last;) {
-    const auto primitive = hls::unpack<hls::top::swept_primitive>(out->read());
-    print_record("sweep_line", primitive);
-    last = primitive.last;
-  }
-  const auto vertices = std::make_unique<hls::port<hls::top::swept_vertices>>();
-  in->write(hls::pack(corners));
-  write_data();
-  relievo_sweep_vertices(*in, data_in, *vertices);
-  for (bool last = false; !last;) {
-    const auto primitive = hls::unpack<hls::top::swept_vertices>(vertices->read());
-    print_record("sweep_vertices", primitive);
-    last = primitive.last;
-  }
 }
 
 void speak(long vectors) {
