@@ -3,8 +3,8 @@
 //   in    v      vertex_steps, c > 0
 //   regs  limit  coordinate[2], the largest of each axis: W - 1 where it clamps, W where it wraps
 //   out   p position[3], n and t unit[3], u coordinate[2], colour[4]
-//         w_correction  1/c, normalised; shift  0 to 41, the power of two that was taken out of it: w is proportional to w_correction
-//         2^shift saturated     a register clipped; a coordinate at its limit, or one or a colour below 0, is none
+//         w_correction  1/c, normalised;  shift  0 to 41, the power of two taken out of it: 1/c is w_correction 2^shift
+//         saturated     a register clipped; a coordinate at its limit, or one or a colour below 0, is none
 //   s0_shift: brings c's leading bit to 1/2 (0 for c >= 1);  s0_c = c 2^shift (25 fractional bits);  s1_w = 1 / s0_c (correction)
 //   s1_x = x 2^shift (in x's interp format);  s2 = s1_x s1_w: position, direction, coordinate, colour; then normalize
 //   Against x / c: s0_c and s1_w are right to 2^-25 of themselves each, so 2^-24 |x / c|, an LSB of interp for s1_x, half an LSB for s2.
