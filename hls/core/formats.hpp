@@ -71,6 +71,13 @@ struct format {
   X(step_colour,       48,   6, true)   /* (42) */                                                             \
   X(step_c,            48,   6, true)   /* (42) */                                                             \
   X(correction,        26,   2, false)  /* 1/c, normalised to [1, 2], 24 fractional bits */                    \
+  X(clip_depth,        30,  10, true)   /* w before a plane cuts: negative behind the eye (20) */              \
+  X(cells,             24,   1, false)  /* cells of the grid a pixel, at most 1 (23) */                        \
+  X(kappa,             32,  18, false)  /* cells for each factor e of w, 14 fractional bits */                 \
+  X(depth_cells,       40,  26, true)   /* z in cells (14) */                                                  \
+  X(ratio,             26,   1, false)  /* place on an edge that is cut, 0 to 1 (25) */                        \
+  X(extent,            24,   4, false)  /* largest |displacement| of a triangle, world units (20) */           \
+  X(reach,             26,  12, false)  /* clip x or y for each world unit: length of a matrix row (14) */     \
   /* bookkeeping */                                                                                            \
   X(generation,         4,   4, false)  /* generation of an edge, 0..15 */                                     \
   X(weight,             5,   5, false)  /* place of a split on its edge in sixteenths, 0..16; 8 is the middle */      \
