@@ -8,7 +8,7 @@
 //         reach    reach          of x and y, pixels times w for each world unit: the lengths of transform's row_x and row_y
 //         near, far  depth;  d_scale  matrix_w, w for each world unit: the length of row_w, >= 0
 //   out   rejected
-//   registers: none, every comparison is exact
+//   registers: none, every comparison is exact.  near >= 2^-20 max(W, H)
 //
 //   K = reach d_max, w_ref the least w; E = K / w_ref + 1 pixel:   x < -E, x > W + E, y < -E, y > H + E     as products, nothing divided
 //   d = d_scale d_max:                          w > far + d + 2^-19, w < near - d - 2^-19.  w_ref <= d: never rejected by x or y
@@ -17,7 +17,7 @@
 // x < -E, row_x . P < -E w <= -K on the whole triangle, so row_x . P' < 0; likewise (row_x - W row_w) . P' > 0 on the right, as W/2 is in
 // the middle and row_x - W row_w is as long as row_x: sqrt(f^2 + (W/2)^2), f / cos of half the horizontal angle, which (7) has.
 // The paper takes the vertical angle for x too; where W > H that is not enough. Registers are rounded up, with 2^-13 for normals that are
-// rounded themselves; the pixel and the two LSB hold the roundings of screen and w.
+// rounded themselves; the pixel and the two LSB hold the roundings of screen and w: docs/error_budget.md, "Beyond the view volume".
 //
 // d_max_of: from the maximum and minimum filter levels: the largest |height| over the texels around the box of coordinates, from at most
 // 2 x 2 texels of each. The level is the least one at which the box reaches into at most two texels an axis.

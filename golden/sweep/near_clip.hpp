@@ -2,18 +2,21 @@
 // silent. Sutherland & Hodgman's way, plane after plane.                                     Gumhold & Huettner 1999, section 3.3
 //   distances   near w - near, far far - w, left x + G w, right G w - x, top y + G w, bottom G w - y,  G = 8190 pixels;  inside: >= 0
 //               x = row_x . P + offset_x, y and w likewise, of the words of P: those of a cut are computed again at the next plane
-//   a cut       of an edge from a to b, with a before b by the words of P: r = |da| / (|da| + |db|), every attribute a + (b - a) r
+//   a cut       of an edge from a to b: r = |da| / (|da| + |db|), every attribute a + (b - a) r
 //
 //   in    vertex[3]   base_vertex
 //   regs  transform   rows and offsets (w_min takes no part);  near, far depth;  guard: the last four planes too
 //   out   vertex[9]   base_vertex   the polygon, as triangles a fan about its first vertex; what is beyond `count` is all 0
 //         inside      no plane cut: the three words as they came;  empty: no vertex is left
 //         overflow    a plane made a tenth vertex, which was left out
+//   near is the view volume's less the largest displacement, where w allows it, and far is so much beyond: what a displacement carries
+//   into the volume is not cut. w_min lies 3 LSB below near, or a cut vertex might count as behind the eye.
 //   registers: clip, clip_depth, ratio (correctly rounded, of distances cut to 25 bits), position, coordinate, colour, direction, unit
 //
-// What an edge becomes depends on its two ends alone, whichever comes first, so that neighbours have the same words. Ends that are cut
-// apart have different distances, so different P: the order needs no more than P. An edge of the polygon that lies along a plane may be
-// cut more than once by rounding: a plane may then add more than one vertex.
+// What an edge becomes depends on its two ends alone, and is the same from b to a, so neighbours have the same words without an order:
+// the other r is 1 - r, as r is never a tie. A tie would be an odd number of halves, |da| 2^26 / (|da| + |db|) odd, which takes a sum of
+// 2^26 at least; with 25 bits each it is less. An edge of the polygon that lies along a plane may be cut more than once by rounding: a
+// plane may then add more than one vertex.
 //
 // A cut vertex lies on its plane but for, in LSB of 2^-20, with |row| the sum of the row's magnitudes and S = |da| + |db|:
 //   near, far      1 + |row_w| / 2 + S 2^-26 + [S >= 2^25] S 2^-24
@@ -40,13 +43,6 @@ constexpr double guard_pixels = 8190;
 
 inline bool is_used(clip_plane plane, near_clip_regs const& regs) {
   return plane == clip_plane::near || plane == clip_plane::far || regs.guard;
-}
-
-// Lexicographic order of P.
-inline bool precedes(base_vertex const& a, base_vertex const& b) {
-  for (int i = 0; i < 3; ++i)
-    if (a.p[i] != b.p[i]) return a.p[i] < b.p[i];
-  return false;
 }
 
 template <class Rounding = rounded>
@@ -96,11 +92,8 @@ double clip_ratio(double da, double db) {
 
 // Where the plane cuts the edge between two vertices at distances of different signs.
 template <class Rounding = rounded>
-base_vertex cut_vertex(base_vertex const& from, base_vertex const& to, double d_from, double d_to) {
-  const bool swapped = precedes(to, from);
-  base_vertex const& a = swapped ? to : from;
-  base_vertex const& b = swapped ? from : to;
-  const double r = clip_ratio<Rounding>(swapped ? d_to : d_from, swapped ? d_from : d_to);
+base_vertex cut_vertex(base_vertex const& a, base_vertex const& b, double da, double db) {
+  const double r = clip_ratio<Rounding>(da, db);
   base_vertex out;
   each_attribute(
       [r](auto f, double const& x, double const& y, double& cut) {

@@ -25,6 +25,7 @@
 #include "tests/support/draw.hpp"
 #include "tests/support/settings.hpp"
 #include "tests/support/sweep_errors.hpp"
+#include "tests/support/world_errors.hpp"
 
 namespace {
 
@@ -218,8 +219,8 @@ std::map<std::string, measurement> const& measurements() {
   };
   static const std::map<std::string, measurement> all = [] {
     std::map<std::string, measurement> both = own;
-    for (auto const& m : test::sweep_measurements())
-      both[m.first] = [one = m.second](draw& d, random_map const&, random_map const&) { return one(d); };
+    for (auto const& list : {test::sweep_measurements(), test::world_measurements()})
+      for (auto const& m : list) both[m.first] = [one = m.second](draw& d, random_map const&, random_map const&) { return one(d); };
     return both;
   }();
   return all;

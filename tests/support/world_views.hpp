@@ -94,7 +94,9 @@ inline world_view draw_view(draw& d) {
     }
     v.scale = std::ldexp(1, registers.row_exponent);
     v.clip.transform = registers.transform;
-    v.clip.near = rounded::at<formats::depth>(std::max(v.camera.near * v.scale, registers.transform.w_min + 0x1p-16));
+    // What base_triangle_clip asks of near, and near_clip of w_min.
+    const double least = std::max(registers.transform.w_min + 0x1p-16, 0x1p-20 * std::max(v.camera.width, v.camera.height));
+    v.clip.near = rounded::at<formats::depth>(std::max(v.camera.near * v.scale, least));
     v.clip.far = rounded::at<formats::depth>(v.camera.far * v.scale);
     if (v.clip.far < v.clip.near + 0x1p-10) continue;
     v.clip.guard = d.integer(0, 4) > 0;

@@ -44,7 +44,7 @@ TEST(grid_transform_ideal, z_is_within_its_bound_of_the_paper) {
   draw d(seed());
   constexpr int cells[4] = {1, 5, 20, 45};
   long double most = 0, most_cells = 0, saturated = 0, tried = 0;
-  for (std::uint64_t n = 0; n < vector_count() / 500 + 1; ++n) {
+  for (std::uint64_t n = 0; n < vector_count() / 500 + 100; ++n) {
     const int lines = n == 0 ? 8191 : static_cast<int>(std::exp2(d.real(5, 13)));
     const double degrees = n == 0 ? 5 : d.coin() ? d.real(5, 170) : std::exp2(d.real(std::log2(5), std::log2(170)));
     const double far_over_near = std::exp2(d.real(0.1, std::log2(1e4)));

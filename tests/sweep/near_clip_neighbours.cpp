@@ -41,7 +41,7 @@ bool has_edge(near_clip_out const& polygon, base_vertex const& first, base_verte
 TEST(near_clip_neighbours, both_triangles_at_an_edge_have_the_same_words) {
   draw d(seed());
   std::uint64_t seen[3] = {}, gone = 0;
-  for (std::uint64_t n = 0; n < rounds(500); ++n) {
+  for (std::uint64_t n = 0; n < rounds(500) + 200; ++n) {
     const world_view view = draw_view(d);
     for (int k = 0; k < 40; ++k) {
       const near_clip_in one = draw_triangle_at(d, view);
