@@ -116,6 +116,7 @@ near_clip_out near_clip(near_clip_in const& in, near_clip_regs const& regs) {
   for (const clip_plane plane : all_clip_planes) {
     if (!is_used(plane, regs)) continue;
     std::vector<double> d;
+    d.reserve(polygon.size());
     for (base_vertex const& v : polygon) d.push_back(clip_distance<Rounding>(plane, v.p, regs));
     std::vector<base_vertex> left;
     for (std::size_t i = 0; i < polygon.size(); ++i) {

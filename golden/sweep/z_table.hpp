@@ -40,6 +40,7 @@ z_table_out z_table(z_table_in const& in) {
 template <class Rounding = rounded>
 std::vector<double> z_table_of(double kappa) {
   std::vector<double> words;
+  words.reserve(z_table_words);
   for (int i = 0; i < z_table_words; ++i) words.push_back(z_table<Rounding>({kappa, i}).z);
   return words;
 }
