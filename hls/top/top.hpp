@@ -1,8 +1,8 @@
 // top: the synthesizable entry points, one .cpp each; what a host, a test or a tool's script calls.
 //
 //   One call of a unit takes one word and gives one word: the tool pipelines calls, initiation interval as the unit's header says.
-//   One call of a builder is one map, one of difference_vertices, sweep_line or sweep_vertices a triangle, one of the engine a mesh:
-//   they loop over their input, and start fresh.
+//   One call of a builder is one map or one table, one of difference_vertices, sweep_line or sweep_vertices a triangle, one of the
+//   engine a mesh: they loop over their input, and start fresh.
 //   in, out    port<record>: one packed word a record (hls/core/packed.hpp: fields from bit 0 in their order, padded to 8 bits)
 //   regs, map  packed too, constant while the call runs
 //   memories   read-only words, one per texel, as hls/surface/map_regs.hpp says
@@ -14,9 +14,13 @@
 #include "hls/edge/engine.hpp"
 #include "hls/surface/normal_map.hpp"
 #include "hls/surface/summed_area_table.hpp"
+#include "hls/sweep/base_triangle_clip.hpp"
+#include "hls/sweep/grid_transform.hpp"
+#include "hls/sweep/near_clip.hpp"
 #include "hls/sweep/perspective_correction.hpp"
 #include "hls/sweep/perspective_preparation.hpp"
 #include "hls/sweep/sweep_line.hpp"
+#include "hls/sweep/z_table.hpp"
 
 namespace relievo {
 namespace hls {
@@ -57,6 +61,12 @@ struct base_triangle {
   fixed<formats::index> index;
   bool last;
   RELIEVO_FIELDS(v, index, last)
+};
+
+// What the camera asks of the table of grid_transform.
+struct z_table_regs {
+  fixed<formats::kappa> kappa;
+  RELIEVO_FIELDS(kappa)
 };
 
 // What the remeshing of a triangle puts out.
@@ -149,6 +159,18 @@ void relievo_remeshing_plane(relievo::hls::port<relievo::hls::remeshing_plane_in
                              relievo::hls::port<relievo::hls::remeshing_plane_out>& out);
 void relievo_case_selection(relievo::hls::port<relievo::hls::case_selection_in>& in,
                             relievo::hls::port<relievo::hls::case_selection_out>& out);
+void relievo_near_clip(relievo::hls::port<relievo::hls::near_clip_in>& in, relievo::hls::port_word<relievo::hls::near_clip_regs> regs,
+                       relievo::hls::port<relievo::hls::near_clip_out>& out);
+void relievo_base_triangle_clip(relievo::hls::port<relievo::hls::base_triangle_clip_in>& in,
+                                relievo::hls::port_word<relievo::hls::base_triangle_clip_regs> regs,
+                                relievo::hls::port<relievo::hls::base_triangle_clip_out>& out);
+void relievo_d_max_of(relievo::hls::port<relievo::hls::d_max_of_in>& in, relievo::hls::port_word<relievo::hls::map_regs> map,
+                      relievo::hls::port_word<relievo::hls::displace_regs> regs, std::uint16_t const* maximum, std::uint16_t const* minimum,
+                      relievo::hls::port<relievo::hls::d_max_of_out>& out);
+void relievo_z_table(relievo::hls::port_word<relievo::hls::top::z_table_regs> regs, relievo::hls::port<relievo::hls::z_table_out>& out);
+void relievo_grid_transform(relievo::hls::port<relievo::hls::grid_transform_in>& in,
+                            relievo::hls::port_word<relievo::hls::grid_transform_regs> regs, std::int64_t const* z,
+                            relievo::hls::port<relievo::hls::grid_transform_out>& out);
 void relievo_perspective_preparation(relievo::hls::port<relievo::hls::perspective_preparation_in>& in,
                                      relievo::hls::port<relievo::hls::interpolants>& out);
 void relievo_difference_vertices(relievo::hls::port<relievo::hls::top::placed_triangle>& in,

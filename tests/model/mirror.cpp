@@ -16,6 +16,7 @@
 #include "golden/sweep/perspective_correction.hpp"
 #include "golden/sweep/perspective_preparation.hpp"
 #include "golden/sweep/sweep_line.hpp"
+#include "golden/sweep/world_data.hpp"
 #include "hls/core/normalize.hpp"
 #include "hls/edge/engine.hpp"
 #include "hls/surface/normal_map.hpp"
@@ -23,6 +24,7 @@
 #include "hls/sweep/perspective_correction.hpp"
 #include "hls/sweep/perspective_preparation.hpp"
 #include "hls/sweep/sweep_line.hpp"
+#include "hls/sweep/world_data.hpp"
 #include "tb/model/words.hpp"
 
 namespace relievo::test {
@@ -188,6 +190,22 @@ TEST(mirror, records_of_the_sweep_engine) {
   RELIEVO_EXPECT_MIRRORED(perspective_correction_in);
   RELIEVO_EXPECT_MIRRORED(perspective_correction_regs);
   RELIEVO_EXPECT_MIRRORED(perspective_correction_out);
+}
+
+TEST(mirror, the_units_before_the_grid_name_the_same_fields_in_the_same_order) {
+  RELIEVO_EXPECT_MIRRORED(grid_transform_in);
+  RELIEVO_EXPECT_MIRRORED(grid_transform_regs);
+  RELIEVO_EXPECT_MIRRORED(grid_transform_out);
+  RELIEVO_EXPECT_MIRRORED(z_table_in);
+  RELIEVO_EXPECT_MIRRORED(z_table_out);
+  RELIEVO_EXPECT_MIRRORED(near_clip_in);
+  RELIEVO_EXPECT_MIRRORED(near_clip_regs);
+  RELIEVO_EXPECT_MIRRORED(near_clip_out);
+  RELIEVO_EXPECT_MIRRORED(base_triangle_clip_in);
+  RELIEVO_EXPECT_MIRRORED(base_triangle_clip_regs);
+  RELIEVO_EXPECT_MIRRORED(base_triangle_clip_out);
+  RELIEVO_EXPECT_MIRRORED(d_max_of_in);
+  RELIEVO_EXPECT_MIRRORED(d_max_of_out);
 }
 
 // What the test is there to find: two fields swapped, one renamed, one missing, one longer, and the same within a record.

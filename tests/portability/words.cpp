@@ -8,6 +8,7 @@
 
 #include "tests/portability/records.hpp"
 #include "tests/portability/sweep_words.hpp"
+#include "tests/portability/world_words.hpp"
 
 namespace relievo {
 namespace {
@@ -125,6 +126,8 @@ void unit_vectors(memories const& m) {
   through<hls::highlight_test_out>(
       "highlight_test", random_record<hls::highlight_test_in>(),
       [&](hls::port<hls::highlight_test_in>& in, hls::port<hls::highlight_test_out>& out) { relievo_highlight_test(in, highlight, out); });
+
+  world_vectors(m.texels.data(), map);
 
   auto at = random_record<hls::map_sampler_in>();
   within(at.u, map);
