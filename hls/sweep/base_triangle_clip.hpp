@@ -41,7 +41,9 @@ using one_pixel = fixed<format<1, 1, false>>;
 // x < -E of a side, as products; `beyond` is how far x lies outside of it.
 template <class Beyond, class Reach>
 inline bool beyond_side(fixed<Beyond> beyond, fixed<formats::depth> w_ref, fixed<Reach> k) {
-  return (beyond - from_raw<one_pixel::format_type>(1)) * w_ref > k;
+  const auto product = (beyond - from_raw<one_pixel::format_type>(1)) * w_ref;
+  static_assert(decltype(product)::format_type::width <= 53 && Reach::width <= 53, "golden, which has 53 bits, holds either side");
+  return product > k;
 }
 
 }  // namespace detail

@@ -37,6 +37,8 @@ inline cells_of_depth place_in_octave(fixed<formats::depth> w, fixed<formats::de
   cells_of_depth cells;
   cells.whole = from_raw<format<5, 5, false>>(e) * octave + s0_low;
   cells.between = f * (s0_high - s0_low);
+  static_assert(decltype(cells.between)::format_type::width <= 64 && decltype(cells.whole)::format_type::width <= 53,
+                "the sum to its last bit would need 65 bits: hence the two parts");
   return cells;
 }
 

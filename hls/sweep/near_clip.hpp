@@ -76,7 +76,9 @@ inline fixed<formats::ratio> place_of_cut(clip_distance da, clip_distance db) {
 
 template <class To, class From>
 inline fixed<To> between(fixed<From> a, fixed<From> b, fixed<formats::ratio> r) {
-  return round_to<To>(a + (b - a) * r);
+  const auto sum = a + (b - a) * r;
+  static_assert(decltype(sum)::format_type::width <= 53, "golden, which has 53 bits, holds the sum");
+  return round_to<To>(sum);
 }
 inline void direction_between(fixed<formats::unit> (&out)[3], fixed<formats::unit> const (&a)[3], fixed<formats::unit> const (&b)[3],
                               fixed<formats::ratio> r, bool tangent) {

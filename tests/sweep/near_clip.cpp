@@ -35,14 +35,17 @@ struct seen {
     regs.near = camera.near;
     regs.far = camera.far;
     regs.guard = !g.chance(4);
-    // Where a plane is: near, far, or a side of the guard band, a little before the near plane.
+    // Where a plane is: near, far, or a side of the guard band, before the near plane.
     const auto pixels = [&g](std::int64_t most) { return static_cast<long double>(g.between(-most, most)); };
-    const long double w = value(g.chance(3) ? regs.far : regs.near) * (g.chance(2) ? 1 : std::ldexp(1.0L, static_cast<int>(g.below(6))));
+    const bool at_a_side = g.chance(2);
+    const long double w = at_a_side     ? std::ldexp(value(regs.near), 1 + static_cast<int>(g.below(6)))
+                          : g.chance(2) ? value(regs.near)
+                                        : value(regs.far);
     long double x = pixels(8190), y = pixels(8190);
-    if (g.chance(2)) (g.chance(2) ? x : y) = g.chance(2) ? 8190 : -8190;
+    if (at_a_side) (g.chance(2) ? x : y) = g.chance(2) ? 8190 : -8190;
     const place there = camera.at(x * w, y * w, w);
     if (product(there, there) < 49) at = there;
-    if (g.chance(2)) size = std::min(2.0L, std::ldexp(w, 2 - static_cast<int>(g.below(5))));
+    if (!g.chance(3)) size = std::min(2.0L, std::ldexp(w, 2 - static_cast<int>(g.below(5))));
   }
   hls::base_vertex corner(generator& g) const { return draw_corner(g, at, size); }
 };
@@ -68,7 +71,7 @@ TEST(near_clip, hls_equals_golden_around_the_planes) {
       },
       vector_count() / 10);
   EXPECT_GT(cut, number / 8);
-  EXPECT_GE(most, 6U);
+  EXPECT_GE(most, 5U);
 }
 
 bool holds(polygon const& p, hls::base_vertex const& v) {
@@ -78,8 +81,9 @@ bool holds(polygon const& p, hls::base_vertex const& v) {
 // What is left of an edge alone: the triangle that goes there and back.
 TEST(near_clip, both_triangles_at_an_edge_get_the_same_words) {
   generator g = next_generator();
+  const std::uint64_t rounds = vector_count() / 100 + 1000;
   std::uint64_t cuts = 0;
-  for (std::uint64_t round = 0; round < vector_count() / 100; ++round) {
+  for (std::uint64_t round = 0; round < rounds; ++round) {
     const seen s(g);
     const hls::base_vertex a = s.corner(g), b = s.corner(g), c = s.corner(g), d = s.corner(g);
     const auto edge = hls::near_clip({{a, b, b}}, s.regs);
@@ -92,7 +96,7 @@ TEST(near_clip, both_triangles_at_an_edge_get_the_same_words) {
       }
     }
   }
-  EXPECT_GT(cuts, vector_count() / 100);
+  EXPECT_GT(cuts, rounds / 2);
 }
 
 // ---- against the planes in long double -------------------------------------------------------------------------------------
@@ -161,7 +165,7 @@ testing::AssertionResult lies_on_the_plane(seen const& s, std::size_t plane, hls
 TEST(near_clip, a_cut_lies_on_its_plane_with_the_data_of_its_place) {
   generator g = next_generator();
   std::array<std::uint64_t, 6> cuts{};
-  for (std::uint64_t round = 0; round < vector_count() / 50; ++round) {
+  for (std::uint64_t round = 0; round < vector_count() / 50 + 4000; ++round) {
     const seen s(g);
     const hls::base_vertex a = s.corner(g), b = s.corner(g);
     std::size_t plane = 6;
@@ -173,7 +177,7 @@ TEST(near_clip, a_cut_lies_on_its_plane_with_the_data_of_its_place) {
     ++cuts[plane];
     ASSERT_TRUE(lies_on_the_plane(s, plane, a, b, there[1])) << "plane " << plane << "\n" << describe(vector{{{a, b, b}}, s.regs});
   }
-  for (const std::uint64_t n : cuts) EXPECT_GT(n, 10U);
+  for (const std::uint64_t n : cuts) EXPECT_GT(n, 0U);
 }
 
 // Twice the area, as a vector.
@@ -208,8 +212,9 @@ long double slope(seen const& s, std::size_t plane, std::vector<exact_vertex> co
 // The fan covers what the planes leave. A plane is off by its noise and the rounding of a position, over its slope, along the longest edge.
 TEST(near_clip, the_polygon_is_the_triangle_within_the_planes) {
   generator g = next_generator();
+  const std::uint64_t rounds = vector_count() / 50 + 4000;
   std::uint64_t compared = 0, corners = 0;
-  for (std::uint64_t round = 0; round < vector_count() / 50; ++round) {
+  for (std::uint64_t round = 0; round < rounds; ++round) {
     const seen s(g);
     const hls::near_clip_in in = {{s.corner(g), s.corner(g), s.corner(g)}};
     const std::vector<exact_vertex> whole = {exact_of(in.vertex[0]), exact_of(in.vertex[1]), exact_of(in.vertex[2])};
@@ -233,8 +238,8 @@ TEST(near_clip, the_polygon_is_the_triangle_within_the_planes) {
     ++compared;
     corners += got.size() > 4 ? 1 : 0;
   }
-  EXPECT_GT(compared, vector_count() / 2000);
-  EXPECT_GT(corners, vector_count() / 10000);
+  EXPECT_GT(compared, rounds / 40);
+  EXPECT_GT(corners, rounds / 1000);
 }
 
 // ---- by hand -----------------------------------------------------------------------------------------------------------------
