@@ -10,7 +10,7 @@
 //         inside      no plane cut: the three words as they came;  empty: no vertex is left
 //         overflow    a plane made a tenth vertex, which was left out
 //   near is the view volume's less the largest displacement, where w allows it, and far is so much beyond: what a displacement carries
-//   into the volume is not cut. w_min lies 3 LSB below near, or a cut vertex might count as behind the eye.
+//   into the volume is not cut. w_min lies 6 LSB below near, or a cut vertex might count as behind the eye.
 //   registers: clip, clip_depth, ratio (correctly rounded, of distances cut to 25 bits), position, coordinate, colour, direction, unit
 //
 // What an edge becomes depends on its two ends alone, and is the same from b to a, so neighbours have the same words without an order:
