@@ -16,7 +16,7 @@ for rdl in rtl/top/*.rdl; do
   [[ $header -nt $rdl && $header -nt scripts/pinned_tools.txt && $header -nt scripts/registers.sh ]] && continue
   work=$(mktemp -d)
   trap 'rm -rf "$work"' EXIT
-  .venv/bin/peakrdl regblock "$rdl" -o "$work" --module-name "${name}_regblock" --cpuif axi4-lite-flat --addr-width 12 \
+  .venv/bin/peakrdl regblock "$rdl" -o "$work" --module-name "${name}_regblock" --cpuif passthrough --addr-width 12 \
     --default-reset rst_n --type-style hier --rt-read-fanin --err-if-bad-addr --err-if-bad-rw
   # Verilator 5.006 takes wide registers, and fields with the names of C++ types, in packed structures alone.
   sed -i 's/\bstruct {/struct packed {/' "$work"/*.sv

@@ -11,7 +11,7 @@
 //   parameter VertexClocks  that a new vertex takes, 1 or 3; with three, which edges take of the memories anyway when a test asks them,
 //             its arithmetic takes turns
 //
-//   latency 171 clocks with one a vertex, and those of the table's and of the map's memory; initiation interval VertexClocks where the
+//   latency 174 clocks with one a vertex, and those of the table's and of the map's memory; initiation interval VertexClocks where the
 //   memories deliver: an edge takes 12/ReadsPerClock clocks of the table and ceil(samples/SamplesPerClock) of the map when those tests are
 //   on. Registered: all outputs, in_ready_o but for an AND; within, a join waits until all its parts have something. Nothing is dropped,
 //   everything can stall.
@@ -140,7 +140,7 @@ module edge_lane
   judged_t judged;
   logic    back_fire, unused_judged_valid;
   localparam int unsigned ToNormal = latency_pkg::bump(VertexClocks);
-  localparam int unsigned JudgedDepth = NewLatency + 5 + WaitingDepth + ToNormal / VertexClocks + 5;
+  localparam int unsigned JudgedDepth = NewLatency + 5 + WaitingDepth + 2 + ToNormal / VertexClocks + 5;
   logic [ToNormal-1:0] bumping_q;
   logic [$clog2(JudgedDepth+1)-1:0] unused_judged_count;
   always_ff @(posedge clk_i) begin
@@ -204,7 +204,7 @@ module edge_lane
     .out_o(displaced)
   );
   waiting_t waiting;
-  logic     waiting_valid;
+  logic     waiting_valid, waiting_leaves;
   logic [$clog2(WaitingDepth+1)-1:0] unused_waiting_count;
   stream_fifo #(.T(waiting_t), .Depth(WaitingDepth)) i_waiting (
     .clk_i,
@@ -213,27 +213,44 @@ module edge_lane
     .in_ready_o(waiting_ready),
     .in_i('{needed: made.needed, zeros: made.zeros, t: made.base.t, n: made.base.n}),
     .out_valid_o(waiting_valid),
-    .out_ready_i(back_fire),
+    .out_ready_i(waiting_leaves),
     .out_o(waiting),
     .count_o(unused_waiting_count)
   );
 
-  // ---- join, and the decision
+  // ---- join, and the decision. What is joined comes from all over the device, as in edge_tests.
+  logic near_waiting_valid, near_normal_valid, near_displaced_valid;
   logic last_valid, last_ready, back_ready, seen_valid;
-  assign last_valid = waiting_valid && ((normal_valid && displaced_valid) || !waiting.needed);
+  waiting_t             near_waiting;
+  normal_sampler_out_t  near_normal;
+  displace_vertex_out_t near_displaced;
+  stream_register #(.T(waiting_t)) i_near_waiting (
+    .clk_i, .rst_ni, .in_valid_i(waiting_valid), .in_ready_o(waiting_leaves), .in_i(waiting),
+    .out_valid_o(near_waiting_valid), .out_ready_i(back_fire), .out_o(near_waiting)
+  );
+  stream_register #(.T(normal_sampler_out_t)) i_near_normal (
+    .clk_i, .rst_ni, .in_valid_i(normal_valid), .in_ready_o(normal_ready), .in_i(normal),
+    .out_valid_o(near_normal_valid), .out_ready_i(back_fire && near_waiting.needed),
+    .out_o(near_normal)
+  );
+  stream_register #(.T(displace_vertex_out_t)) i_near_displaced (
+    .clk_i, .rst_ni, .in_valid_i(displaced_valid), .in_ready_o(displaced_ready), .in_i(displaced),
+    .out_valid_o(near_displaced_valid), .out_ready_i(back_fire && near_waiting.needed),
+    .out_o(near_displaced)
+  );
+  assign last_valid = near_waiting_valid
+                      && ((near_normal_valid && near_displaced_valid) || !near_waiting.needed);
   assign last_ready = back_ready && first;
   assign back_fire = last_valid && last_ready;
-  assign normal_ready = back_fire && waiting.needed;
-  assign displaced_ready = back_fire && waiting.needed;
 
   seen_vertex_t seen_data, seen;
   edge_back #(.Clocks(VertexClocks)) i_back (
     .clk_i,
     .first_i(first),
     .regs_i,
-    .in_i(waiting),
-    .normal_i(normal),
-    .displaced_i(displaced),
+    .in_i(near_waiting),
+    .normal_i(near_normal),
+    .displaced_i(near_displaced),
     .judged_i(judged),
     .out_o(seen_data)
   );
@@ -249,7 +266,7 @@ module edge_lane
   );
 
   // Its base was there long before.
-  localparam int unsigned BaseDepth = WaitingDepth + BackLatency / VertexClocks + 5;
+  localparam int unsigned BaseDepth = WaitingDepth + 2 + BackLatency / VertexClocks + 5;
   base_frame_t base;
   logic        unused_base_valid;
   logic [$clog2(BaseDepth+1)-1:0] unused_base_count;

@@ -4,7 +4,7 @@
 //         table, quad  as in edge_lane
 //   out   weighted_o, judged_o  what the new vertex is made of, and what the tests after it need; in the order of in_*
 //
-//   latency 12 clocks, 9 more than those of the tests on the maps where one is asked; initiation interval 1 where the memories deliver.
+//   latency 14 clocks, 11 more than those of the tests on the maps where one is asked; initiation interval 1 where the memories deliver.
 //   in_ready_o the AND of two registers; out_valid_o waits until all that is asked has an answer, and comes from registers. Nothing is
 //   dropped.
 //
@@ -57,6 +57,22 @@ module edge_tests
     return !place && (vt || !regs.use_vt) && (ct || !regs.use_ct);
   endfunction
 
+  // What is asked of the maps, and what came of it.
+  typedef struct packed {
+    logic [4:0] samples;
+    logic       ct;
+    logic       vt;
+    logic       past;
+    logic       ask_sht;
+    logic       ask_pt;
+  } asked_t;
+  typedef struct packed {
+    asked_t  asked;
+    logic    sht;
+    logic    pt;
+    weight_t k;
+  } said_t;
+
   // ---- the ends wait for the join; what is beside them there waits in the two FIFOs below
   base_edge_t ends_in, ends;
   logic front_in_ready, ends_ready, ends_valid, leave;
@@ -67,7 +83,7 @@ module edge_tests
       generation: in_i.generation,
       place: in_i.place
   };
-  localparam int unsigned EndsDepth = BesideDepth + FrontLatency + 5;
+  localparam int unsigned EndsDepth = BesideDepth + FrontLatency + 9;
   logic [$clog2(EndsDepth+1)-1:0] unused_ends_count;
   stream_fifo #(.T(base_edge_t), .Depth(EndsDepth)) i_ends (
     .clk_i,
@@ -149,51 +165,79 @@ module edge_tests
     .out_o(pt)
   );
 
-  typedef struct packed {
-    logic [4:0] samples;
-    logic       ct;
-    logic       vt;
-  } beside_t;
-  beside_t beside;
-  logic beside_valid;
+  asked_t beside, beside_in;
+  logic  beside_valid, beside_leaves;
   logic [$clog2(BesideDepth+1)-1:0] unused_beside_count;
-  stream_fifo #(.T(beside_t), .Depth(BesideDepth)) i_beside (
+  assign beside_in = '{
+      samples: front.samples, ct: front.ct, vt: front.vt,
+      past: front_past, ask_sht: ask_sht, ask_pt: ask_pt
+  };
+  stream_fifo #(.T(asked_t), .Depth(BesideDepth)) i_beside (
     .clk_i,
     .rst_ni,
     .in_valid_i(front_fire),
     .in_ready_o(beside_ready),
-    .in_i('{samples: front.samples, ct: front.ct, vt: front.vt}),
+    .in_i(beside_in),
     .out_valid_o(beside_valid),
-    .out_ready_i(leave),
+    .out_ready_i(beside_leaves),
     .out_o(beside),
     .count_o(unused_beside_count)
   );
 
-  // ---- join: the place of the new vertex is known
-  logic beside_past, wait_sht, wait_pt;
-  assign beside_past = past(ends.place, beside.vt, beside.ct, regs_i.pass);
-  assign wait_sht = beside_past && regs_i.pass.use_sht;
-  assign wait_pt = beside_past && regs_i.pass.use_pt;
-  assign out_valid_o = ends_valid && beside_valid && (sht_valid || !wait_sht)
-                     && (pt_valid || !wait_pt);
+  // ---- join: the place of the new vertex is known. What is joined comes from all over the device: a register on each side of it.
+  logic near_sht_valid, near_pt_valid, near_beside_valid, said_ready, complete, meets;
+  summed_height_test_out_t near_sht;
+  profile_test_out_t       near_pt;
+  asked_t                  near_beside;
+  stream_register #(.T(summed_height_test_out_t)) i_near_sht (
+    .clk_i, .rst_ni, .in_valid_i(sht_valid), .in_ready_o(sht_ready), .in_i(sht),
+    .out_valid_o(near_sht_valid), .out_ready_i(meets && near_beside.ask_sht), .out_o(near_sht)
+  );
+  stream_register #(.T(profile_test_out_t)) i_near_pt (
+    .clk_i, .rst_ni, .in_valid_i(pt_valid), .in_ready_o(pt_ready), .in_i(pt),
+    .out_valid_o(near_pt_valid), .out_ready_i(meets && near_beside.ask_pt), .out_o(near_pt)
+  );
+  stream_register #(.T(asked_t)) i_near_beside (
+    .clk_i, .rst_ni, .in_valid_i(beside_valid), .in_ready_o(beside_leaves), .in_i(beside),
+    .out_valid_o(near_beside_valid), .out_ready_i(meets), .out_o(near_beside)
+  );
+  assign complete = near_beside_valid && (near_sht_valid || !near_beside.ask_sht)
+                    && (near_pt_valid || !near_beside.ask_pt);
+  assign meets = complete && said_ready;
+  said_t said_in, said;
+  always_comb begin
+    said_in.asked = near_beside;
+    said_in.sht = near_beside.ask_sht && near_sht.sht;
+    said_in.pt = near_beside.ask_pt && near_pt.pt;
+    said_in.k = near_beside.ask_pt ? near_pt.k : 5'd8;
+  end
+  stream_register #(.T(said_t)) i_said (
+    .clk_i, .rst_ni,
+    .in_valid_i(complete), .in_ready_o(said_ready), .in_i(said_in),
+    .out_valid_o, .out_ready_i, .out_o(said)
+  );
+  // Its ends were there long before.
   assign leave = out_valid_o && out_ready_i;
-  assign sht_ready = leave && wait_sht;
-  assign pt_ready = leave && wait_pt;
+  logic no_ends;
+  assign no_ends = out_valid_o && !ends_valid;
+  always_ff @(posedge clk_i) begin
+    if (rst_ni) assert (!no_ends) else $error("edge_tests: an answer came before its edge");
+  end
 
   always_comb begin
     judged_o.n1 = ends.a.displaced_n;
     judged_o.n2 = ends.b.displaced_n;
     judged_o.generation = ends.generation;
     judged_o.place = ends.place;
-    judged_o.samples = beside.samples;
-    judged_o.vt = beside.vt;
-    judged_o.ct = beside.ct;
-    judged_o.sht = wait_sht && sht.sht;
-    judged_o.pt = wait_pt && pt.pt;
+    judged_o.samples = said.asked.samples;
+    judged_o.vt = said.asked.vt;
+    judged_o.ct = said.asked.ct;
+    judged_o.sht = said.sht;
+    judged_o.pt = said.pt;
     weighted_o.work = ends;
-    weighted_o.k = ends.place ? 5'd0 : wait_pt ? pt.k : 5'd8;
+    weighted_o.k = ends.place ? 5'd0 : said.k;
     // A test asks for its N', or splits here.
-    weighted_o.needed = ends.place || (beside_past && (regs_i.pass.use_nt || regs_i.pass.use_ht
-                                                       || judged_o.sht || judged_o.pt));
+    weighted_o.needed = ends.place || (said.asked.past && (regs_i.pass.use_nt || regs_i.pass.use_ht
+                                                           || said.sht || said.pt));
   end
 endmodule

@@ -5,7 +5,7 @@
 //         regs_o, normal_regs_o, expected_o              what the host wrote last; a map size that has no room there is the largest
 //         generation_beyond_o  max_generation has no room in regs_o
 //
-//   latency and initiation interval: a write takes 3 clocks, a read 4, one after the other. Registered: all outputs.
+//   latency and initiation interval: a write takes 4 clocks, a read 5, one after the other. Registered: all outputs.
 module edge_engine_registers
   import formats_pkg::*;
   import surface_pkg::*;
@@ -51,28 +51,38 @@ module edge_engine_registers
 );
   edge_engine__in_t  from_engine;
   edge_engine__out_t to_engine;
+  logic        req, req_is_wr, rd_ack, rd_err, wr_ack, wr_err;
+  logic [11:0] addr;
+  logic [31:0] wr_data, wr_biten, rd_data;
+  axi_lite #(.AddressBits(12)) i_axi_lite (
+    .clk_i, .rst_ni,
+    .s_axil_awaddr, .s_axil_awvalid, .s_axil_awready,
+    .s_axil_wdata, .s_axil_wstrb, .s_axil_wvalid, .s_axil_wready,
+    .s_axil_bresp, .s_axil_bvalid, .s_axil_bready,
+    .s_axil_araddr, .s_axil_arvalid, .s_axil_arready,
+    .s_axil_rdata, .s_axil_rresp, .s_axil_rvalid, .s_axil_rready,
+    .req_o(req), .req_is_wr_o(req_is_wr), .addr_o(addr), .wr_data_o(wr_data), .wr_biten_o(wr_biten),
+    .rd_ack_i(rd_ack), .rd_err_i(rd_err), .rd_data_i(rd_data), .wr_ack_i(wr_ack), .wr_err_i(wr_err)
+  );
+  // Nothing here asks for privileges. The block puts a write off that comes in the clock after a read; none does.
+  logic [1:0] unused_stall;
+  logic [5:0] unused_prot;
+  assign unused_prot = {s_axil_awprot, s_axil_arprot};
   edge_engine_regblock i_regblock (
     .clk(clk_i),
     .rst_n(rst_ni),
-    .s_axil_awready,
-    .s_axil_awvalid,
-    .s_axil_awaddr,
-    .s_axil_awprot,
-    .s_axil_wready,
-    .s_axil_wvalid,
-    .s_axil_wdata,
-    .s_axil_wstrb,
-    .s_axil_bready,
-    .s_axil_bvalid,
-    .s_axil_bresp,
-    .s_axil_arready,
-    .s_axil_arvalid,
-    .s_axil_araddr,
-    .s_axil_arprot,
-    .s_axil_rready,
-    .s_axil_rvalid,
-    .s_axil_rdata,
-    .s_axil_rresp,
+    .s_cpuif_req(req),
+    .s_cpuif_req_is_wr(req_is_wr),
+    .s_cpuif_addr(addr),
+    .s_cpuif_wr_data(wr_data),
+    .s_cpuif_wr_biten(wr_biten),
+    .s_cpuif_req_stall_wr(unused_stall[1]),
+    .s_cpuif_req_stall_rd(unused_stall[0]),
+    .s_cpuif_rd_ack(rd_ack),
+    .s_cpuif_rd_err(rd_err),
+    .s_cpuif_rd_data(rd_data),
+    .s_cpuif_wr_ack(wr_ack),
+    .s_cpuif_wr_err(wr_err),
     .hwif_in(from_engine),
     .hwif_out(to_engine)
   );

@@ -11,7 +11,7 @@
 namespace relievo::test {
 namespace {
 
-constexpr int write_clocks = 3, read_clocks = 4;
+constexpr int write_clocks = 4, read_clocks = 5;
 
 class host {
  public:
@@ -55,7 +55,7 @@ class host {
 
 constexpr std::uint32_t expected_triangles = offsetof(edge_engine_t, expected_triangles), control = offsetof(edge_engine_t, control);
 
-TEST(edge_engine_registers, a_write_takes_3_clocks_and_is_seen_within_them) {
+TEST(edge_engine_registers, a_write_takes_4_clocks_and_is_seen_within_them) {
   host h;
   for (std::uint32_t i = 1; i < 20; ++i) {
     int seen = 0;
@@ -63,11 +63,11 @@ TEST(edge_engine_registers, a_write_takes_3_clocks_and_is_seen_within_them) {
       if (seen == 0 && h.m->expected_o == 1000 * i) seen = clocks;
     };
     ASSERT_EQ(h.write(expected_triangles, 1000 * i, sees), write_clocks) << i;
-    ASSERT_EQ(seen, 2) << i;
+    ASSERT_EQ(seen, 3) << i;
   }
 }
 
-TEST(edge_engine_registers, a_read_takes_4_clocks) {
+TEST(edge_engine_registers, a_read_takes_5_clocks) {
   host h;
   for (std::uint32_t i = 1; i < 20; ++i) {
     h.write(expected_triangles, 1000 * i, [](int) {});
@@ -88,7 +88,7 @@ TEST(edge_engine_registers, a_start_is_one_clock_of_control) {
     });
     h.m.clock();
     starts += h.m->control_o != 0;
-    EXPECT_EQ(first, 2);
+    EXPECT_EQ(first, 3);
     EXPECT_EQ(starts, 1);
   }
 }

@@ -88,13 +88,13 @@ bind edge_lane link_properties #(
 bind edge_lane link_properties #(
   .Name("edge_lane, waiting"), .Width($bits(lane_pkg::waiting_t))
 ) i_link_waiting (
-  .clk_i, .rst_ni, .valid_i(waiting_valid), .ready_i(back_fire), .word_i(waiting)
+  .clk_i, .rst_ni, .valid_i(waiting_valid), .ready_i(waiting_leaves), .word_i(waiting)
 );
 
 bind edge_lane link_properties #(
   .Name("edge_lane, last"), .Width($bits(lane_pkg::waiting_t))
 ) i_link_last (
-  .clk_i, .rst_ni, .valid_i(last_valid), .ready_i(last_ready), .word_i(waiting)
+  .clk_i, .rst_ni, .valid_i(last_valid), .ready_i(last_ready), .word_i(near_waiting)
 );
 
 bind edge_lane link_properties #(
@@ -118,7 +118,7 @@ bind edge_tests link_properties #(
 bind edge_tests link_properties #(
   .Name("edge_tests, beside"), .Width($bits(beside))
 ) i_link_beside (
-  .clk_i, .rst_ni, .valid_i(beside_valid), .ready_i(leave), .word_i(beside)
+  .clk_i, .rst_ni, .valid_i(beside_valid), .ready_i(beside_leaves), .word_i(beside)
 );
 
 bind edge_tests link_properties #(
@@ -131,4 +131,10 @@ bind edge_tests link_properties #(
   .Name("edge_tests, pt"), .Width($bits(edge_pkg::profile_test_out_t))
 ) i_link_pt (
   .clk_i, .rst_ni, .valid_i(pt_valid), .ready_i(pt_ready), .word_i(pt)
+);
+
+bind edge_tests link_properties #(
+  .Name("edge_tests, said"), .Width($bits(said))
+) i_link_said (
+  .clk_i, .rst_ni, .valid_i(complete), .ready_i(said_ready), .word_i(said_in)
 );
