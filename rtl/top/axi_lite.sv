@@ -5,8 +5,8 @@
 //   out   req_o    for one clock, with everything of the request; the block's *_ack_i answer it, in the same clock or any later
 //         An error of the block is SLVERR. Reads and writes that wait together take turns.
 //
-//   latency and initiation interval: two clocks from the last of an access's words to req_o, one from the block's answer to s_axil's; the
-//   next access begins when that is taken. Registered: all outputs.
+//   latency 2 to the request and 1 from its answer; initiation interval: the next access begins when the answer is taken, so with a
+//   block that answers a write in its clock and a read in the next, 4 and 5 clocks. Registered: all outputs.
 module axi_lite #(
   parameter int unsigned AddressBits = 12
 ) (

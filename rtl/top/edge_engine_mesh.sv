@@ -6,7 +6,7 @@
 //         out_*                    base triangles to the engine
 //         busy_o, done_o, swallowing_o, error_code_o   for the state register
 //
-//   latency and initiation interval of a mesh and of its triangles, and what is registered: as the two modules say.
+//   latency as the two modules say; initiation interval of a mesh and of its triangles, and what is registered, too.
 module edge_engine_mesh
   import formats_pkg::*;
   import edge_pkg::*;

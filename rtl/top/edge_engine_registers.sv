@@ -5,7 +5,7 @@
 //         regs_o, normal_regs_o, expected_o              what the host wrote last; a map size that has no room there is the largest
 //         generation_beyond_o  max_generation has no room in regs_o
 //
-//   latency and initiation interval: a write takes 4 clocks, a read 5, one after the other. Registered: all outputs.
+//   latency 4 of a write and 5 of a read; initiation interval the same, one after the other. Registered: all outputs.
 module edge_engine_registers
   import formats_pkg::*;
   import surface_pkg::*;
