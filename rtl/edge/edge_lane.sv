@@ -140,7 +140,7 @@ module edge_lane
   judged_t judged;
   logic    back_fire, unused_judged_valid;
   localparam int unsigned ToNormal = latency_pkg::bump(VertexClocks);
-  localparam int unsigned JudgedDepth = NewLatency + 5 + WaitingDepth + 2 + ToNormal / VertexClocks + 5;
+  localparam int unsigned JudgedDepth = NewLatency + WaitingDepth + ToNormal / VertexClocks + 12;
   logic [ToNormal-1:0] bumping_q;
   logic [$clog2(JudgedDepth+1)-1:0] unused_judged_count;
   always_ff @(posedge clk_i) begin
