@@ -148,8 +148,7 @@ module edge_lane
     else bumping_q <= {bumping_q[ToNormal-2:0], back_fire};
   end
   stream_fifo #(.T(judged_t), .Depth(JudgedDepth)) i_judged (
-    .clk_i,
-    .rst_ni,
+    .clk_i, .rst_ni,
     .in_valid_i(joined_valid && new_ready && first),
     .in_ready_o(judged_ready),
     .in_i(joined_judged),
@@ -166,7 +165,7 @@ module edge_lane
                     && ((normal_in_ready && displace_in_ready) || !ask_maps);
   assign made_fire = made_valid && made_ready;
 
-  logic normal_valid, normal_ready;
+  logic normal_valid, normal_ready, displaced_valid, displaced_ready;
   normal_sampler_out_t normal;
   normal_sampler #(.InFlight(InFlight)) i_normal (
     .clk_i,
@@ -184,7 +183,6 @@ module edge_lane
     .out_ready_i(normal_ready),
     .out_o(normal)
   );
-  logic displaced_valid, displaced_ready;
   displace_vertex_out_t displaced;
   displace_vertex #(.InFlight(InFlight)) i_displace_vertex (
     .clk_i,
@@ -207,8 +205,7 @@ module edge_lane
   logic     waiting_valid, waiting_leaves;
   logic [$clog2(WaitingDepth+1)-1:0] unused_waiting_count;
   stream_fifo #(.T(waiting_t), .Depth(WaitingDepth)) i_waiting (
-    .clk_i,
-    .rst_ni,
+    .clk_i, .rst_ni,
     .in_valid_i(made_fire),
     .in_ready_o(waiting_ready),
     .in_i('{needed: made.needed, zeros: made.zeros, t: made.base.t, n: made.base.n}),
@@ -220,7 +217,7 @@ module edge_lane
 
   // ---- join, and the decision. What is joined comes from all over the device, as in edge_tests.
   logic near_waiting_valid, near_normal_valid, near_displaced_valid;
-  logic last_valid, last_ready, back_ready, seen_valid;
+  logic last_valid, last_ready, back_ready, back_uses, seen_valid;
   waiting_t             near_waiting;
   normal_sampler_out_t  near_normal;
   displace_vertex_out_t near_displaced;
@@ -230,18 +227,17 @@ module edge_lane
   );
   stream_register #(.T(normal_sampler_out_t)) i_near_normal (
     .clk_i, .rst_ni, .in_valid_i(normal_valid), .in_ready_o(normal_ready), .in_i(normal),
-    .out_valid_o(near_normal_valid), .out_ready_i(back_fire && near_waiting.needed),
-    .out_o(near_normal)
+    .out_valid_o(near_normal_valid), .out_ready_i(back_uses), .out_o(near_normal)
   );
   stream_register #(.T(displace_vertex_out_t)) i_near_displaced (
     .clk_i, .rst_ni, .in_valid_i(displaced_valid), .in_ready_o(displaced_ready), .in_i(displaced),
-    .out_valid_o(near_displaced_valid), .out_ready_i(back_fire && near_waiting.needed),
-    .out_o(near_displaced)
+    .out_valid_o(near_displaced_valid), .out_ready_i(back_uses), .out_o(near_displaced)
   );
   assign last_valid = near_waiting_valid
                       && ((near_normal_valid && near_displaced_valid) || !near_waiting.needed);
   assign last_ready = back_ready && first;
   assign back_fire = last_valid && last_ready;
+  assign back_uses = back_fire && near_waiting.needed;
 
   seen_vertex_t seen_data, seen;
   edge_back #(.Clocks(VertexClocks)) i_back (
@@ -271,8 +267,7 @@ module edge_lane
   logic        unused_base_valid;
   logic [$clog2(BaseDepth+1)-1:0] unused_base_count;
   stream_fifo #(.T(base_frame_t), .Depth(BaseDepth)) i_base (
-    .clk_i,
-    .rst_ni,
+    .clk_i, .rst_ni,
     .in_valid_i(made_fire),
     .in_ready_o(base_ready),
     .in_i(made.base),
