@@ -3,6 +3,7 @@
 //   view_camera draw_camera(g)      any direction, 10 to 150 degrees, up to 1500 x 1500 pixels, rows times 1 to 1/4; regs: its words
 //     clip(p, row), depth(p)        row . p + offset of the words, exact but for long double
 //     at(x, y, w)                   the place of these; sees(p)   whether p is in the view volume
+//   clip_regs_of(camera)            base_triangle_clip's registers, as a host makes them
 //   draw_corner(g, at, size)        a base vertex within `size` of a place, with unit N and T
 //   value(x)                        a word's value
 #pragma once
@@ -98,6 +99,26 @@ inline view_camera draw_camera(generator& g) {
   camera.near = nearest<formats::depth>(near);
   camera.far = nearest<formats::depth>(near * std::pow(10.0L, static_cast<long double>(g.between(1, 400)) / 100));
   return camera;
+}
+
+template <class F>
+hls::fixed<F> rounded_up(long double x) {
+  return hls::from_raw<F>(static_cast<std::int64_t>(std::ceil(std::ldexp(x * (1 + std::ldexp(1.0L, -13)), F::fraction))));
+}
+template <class F>
+long double length_of(hls::fixed<F> const (&row)[3]) {
+  return std::sqrt(product(place_of(row), place_of(row)));
+}
+inline hls::base_triangle_clip_regs clip_regs_of(view_camera const& camera) {
+  hls::base_triangle_clip_regs regs;
+  regs.viewport[0] = nearest<formats::screen>(camera.width);
+  regs.viewport[1] = nearest<formats::screen>(camera.height);
+  regs.reach[0] = rounded_up<formats::reach>(length_of(camera.regs.row_x));
+  regs.reach[1] = rounded_up<formats::reach>(length_of(camera.regs.row_y));
+  regs.near = camera.near;
+  regs.far = camera.far;
+  regs.d_scale = rounded_up<formats::matrix_w>(length_of(camera.regs.row_w));
+  return regs;
 }
 
 inline hls::base_vertex draw_corner(generator& g, place const& at, long double size) {

@@ -1,15 +1,10 @@
-// base_triangle_clip: hls equals golden; nothing that can be seen is rejected; the bounds themselves. d_max_of: hls equals golden; bounds
-// every displacement of its box.
+// base_triangle_clip: hls equals golden; nothing that can be seen is rejected; the bounds themselves. Its d_max: d_max_of.cpp; a scene:
+// base_triangle_clip_scene.cpp.
 #include "hls/sweep/base_triangle_clip.hpp"
 
 #include <gtest/gtest.h>
 
-#include <vector>
-
 #include "golden/sweep/base_triangle_clip.hpp"
-#include "hls/surface/map_sampler.hpp"
-#include "tb/host/level_words.hpp"
-#include "tests/support/level_maps.hpp"
 #include "tests/support/world_words.hpp"
 
 namespace relievo::test {
@@ -72,26 +67,6 @@ TEST(base_triangle_clip, hls_equals_golden_at_the_bounds) {
   EXPECT_LT(rejected, number - number / 20);
 }
 
-template <class F>
-hls::fixed<F> rounded_up(long double x) {
-  return hls::from_raw<F>(static_cast<std::int64_t>(std::ceil(std::ldexp(x * (1 + std::ldexp(1.0L, -13)), F::fraction))));
-}
-template <class F>
-long double length_of(hls::fixed<F> const (&row)[3]) {
-  return std::sqrt(product(place_of(row), place_of(row)));
-}
-hls::base_triangle_clip_regs regs_of(view_camera const& camera) {
-  hls::base_triangle_clip_regs regs;
-  regs.viewport[0] = nearest<formats::screen>(camera.width);
-  regs.viewport[1] = nearest<formats::screen>(camera.height);
-  regs.reach[0] = rounded_up<formats::reach>(length_of(camera.regs.row_x));
-  regs.reach[1] = rounded_up<formats::reach>(length_of(camera.regs.row_y));
-  regs.near = camera.near;
-  regs.far = camera.far;
-  regs.d_scale = rounded_up<formats::matrix_w>(length_of(camera.regs.row_w));
-  return regs;
-}
-
 // From what is seen back to a triangle that was displaced there: along the steepest way out, or any; the triangle along the side, or any.
 TEST(base_triangle_clip, nothing_that_is_seen_is_rejected) {
   generator g = next_generator();
@@ -145,7 +120,7 @@ TEST(base_triangle_clip, nothing_that_is_seen_is_rejected) {
     if (!camera.sees(place_of(hls::displace(displaced, height).p)) && !camera.sees(moved(middle, h, place_of(displaced.n)))) continue;
     ++seen;
     hidden += all_out ? 1 : 0;
-    const vector v{in, regs_of(camera)};
+    const vector v{in, clip_regs_of(camera)};
     ASSERT_FALSE(hls::base_triangle_clip(v.in, v.regs).rejected) << "side " << side << "\n" << describe(v);
   }
   EXPECT_GT(seen, vector_count() / 100);
@@ -226,72 +201,6 @@ TEST(base_triangle_clip, an_lsb_beyond_near_and_far_is_rejected) {
     v.in.w[i] = hls::from_raw<formats::depth>(w - 1);
     EXPECT_FALSE(rejected(v));
   }
-}
-
-// ---- d_max_of ----------------------------------------------------------------------------------------------------------------
-
-struct pyramids {
-  explicit pyramids(tb::displacement_map const& map) {
-    regs.width = hls::from_raw<formats::map_size>(map.width);
-    regs.height = hls::from_raw<formats::map_size>(map.height);
-    regs.wrap_u = map.wrap_u;
-    regs.wrap_v = map.wrap_v;
-    texels = map.texels;
-    for (int level = 0; level < tb::levels_of(map.width, map.height); ++level) {
-      highest.push_back(tb::extreme_level(map, level, tb::extreme::maximum));
-      lowest.push_back(tb::extreme_level(map, level, tb::extreme::minimum));
-      maximum.insert(maximum.end(), highest.back().texels.begin(), highest.back().texels.end());
-      minimum.insert(minimum.end(), lowest.back().texels.begin(), lowest.back().texels.end());
-    }
-  }
-  hls::d_max_of_out at(hls::d_max_of_in const& in, hls::displace_regs const& height) const {
-    return hls::d_max_of(in, regs, height, {maximum.data()}, {minimum.data()});
-  }
-
-  hls::map_regs regs{};
-  std::vector<std::uint16_t> texels, maximum, minimum;
-  std::vector<tb::displacement_map> highest, lowest;
-};
-
-using box = stimulus<hls::d_max_of_in, hls::displace_regs>;
-
-box draw_box(pyramids const& map, generator& g) {
-  box v{};
-  draw_vector(v, draw::mixed, g);
-  if (g.chance(2)) v.regs.scale = hls::from_raw<formats::scale>(g.between(-40000, 40000));
-  coordinates_within(v.in.low, map.regs, g);
-  coordinates_within(v.in.high, map.regs, g);
-  for (int axis = 0; axis < 2; ++axis)
-    if (v.in.high[axis] < v.in.low[axis]) std::swap(v.in.high[axis], v.in.low[axis]);
-  return v;
-}
-
-TEST(d_max_of, hls_equals_golden_and_bounds_every_displacement_of_the_box) {
-  generator g = next_generator();
-  std::uint64_t tight = 0;
-  for_level_maps("d_max_of", [&](tb::displacement_map const& drawn) {
-    const pyramids map(drawn);
-    for (std::uint64_t round = 0; round < vector_count() / 400; ++round) {
-      const box v = draw_box(map, g);
-      const auto out = map.at(v.in, v.regs);
-      const auto read = [](std::vector<tb::displacement_map> const& levels) {
-        return [&levels](int level, int x, int y) { return levels[static_cast<std::size_t>(level)].at(x, y); };
-      };
-      ASSERT_TRUE(equal_words(out, golden::d_max_of(as_golden<golden::d_max_of_in>(v.in), as_golden<golden::map_regs>(map.regs),
-                                                    as_golden<golden::displace_regs>(v.regs), read(map.highest), read(map.lowest))))
-          << describe(v);
-      for (int sample = 0; sample < 4; ++sample) {
-        hls::map_sampler_in at;
-        for (int axis = 0; axis < 2; ++axis)
-          at.u[axis] = hls::from_raw<formats::coordinate>(g.between(raw(v.in.low[axis]), raw(v.in.high[axis])));
-        const auto d = hls::map_sampler(at, map.regs, {map.texels.data()}).d;
-        const auto height = hls::round_to<formats::height>(v.regs.scale * d + v.regs.bias);
-        ASSERT_LE(std::abs(raw(height)) + 2, raw(out.d_max)) << describe(v) << describe(at);
-        tight += std::abs(raw(height)) > raw(out.d_max) / 2 ? 1 : 0;
-      }
-    }
-  });
-  EXPECT_GT(tight, vector_count() / 400);
 }
 
 }  // namespace
