@@ -11,7 +11,7 @@
 //   and a point displaced by h N from it has x w + h (row_x . N) < 0. The pixel is for the roundings of screen, clip and w, which is enough
 //   while near >= 2^-20 max(W, H); e for those of w and of the displaced position. So nothing that can be seen is rejected:
 //   docs/error_budget.md, "Beyond the view volume".
-//   registers: none; all exact; initiation interval 1
+//   registers: none; all exact; 15 products; initiation interval 1
 //
 // d_max_of: the largest |displacement| of a box of the map, from the filter levels of its maxima and minima
 //   in    low, high coordinate[2] each, low <= high: of the samples themselves, without what a filter adds around them

@@ -8,7 +8,7 @@
 //   octave:
 //     z = e octave + T[i] + f (T[i+1] - T[i]) - near_cells, exact, rounded once
 //   Never falls as w rises, as T does not and T[256] is `octave`. Against (4): docs/error_budget.md, "The grid in z".
-//   registers: p; initiation interval 1
+//   registers: p; four products; initiation interval 1
 #pragma once
 #include "hls/sweep/perspective_preparation.hpp"
 #include "hls/sweep/world_data.hpp"

@@ -13,6 +13,7 @@
 //     coordinate, colour; N and T to direction, then normalize. r is never a tie, so that of the other end is 1 - r
 //   registers: x, y, w, r, each component
 //   initiation interval 1 for a triangle that is inside, else a turn for each edge of the polygon and plane: at most 3 + 5 x 9
+//   a cut is a quotient, 15 products and two normalize, and 9 products for its x, y and w
 #pragma once
 #include "hls/core/divide.hpp"
 #include "hls/core/normalize.hpp"
