@@ -14,7 +14,7 @@
 // The sum has 33 fractional bits and does not fit a double; int64 holds it for any words: (27 + 1 + 1) 2^39 2^19 < 2^63.
 //
 // Error of z against (4), in cells, with E = |e(w) - e(near)|:                       docs/error_budget.md, "The grid in z"
-//   1/2 + kappa 2^-19 (the chords of the table) + kappa (E + 1) 2^-31 + (E + 3 + ln(w / near)) 2^-15
+//   1/2 + kappa 2^-19 (the chords of the table) + kappa (E + 2) 2^-31 + (E + 3 + ln(w / near)) 2^-15
 #pragma once
 #include <cmath>
 #include <cstdint>

@@ -26,7 +26,7 @@ int octave_of(double w) { return detail::place_in_octave(w).e; }
 // In cells, without the last rounding.
 long double bound(long double kappa, double w, double near) {
   const int octaves = std::abs(octave_of(w) - octave_of(near));
-  return kappa * 0x1p-19L + kappa * (octaves + 1) * 0x1p-31L + (octaves + 3 + std::abs(std::log(w / near))) * 0x1p-15L;
+  return kappa * 0x1p-19L + kappa * (octaves + 2) * 0x1p-31L + (octaves + 3 + std::abs(std::log(w / near))) * 0x1p-15L;
 }
 
 struct z_grid {
