@@ -6,6 +6,7 @@
 #include "tb/commands/reporting.hpp"
 #include "tb/commands/scene_arguments.hpp"
 #include "tb/host/files.hpp"
+#include "tb/host/input_error.hpp"
 
 namespace relievo::tb {
 
@@ -20,6 +21,7 @@ command add_bench(CLI::App& app) {
   app.footer("Example: relievo bench --mesh plane:8 --displacement half-donut --tests nt,sht,pt,vt,ct");
   return [a] {
     if (!a->report.empty()) check_writable(a->report);
+    if (a->scene.options().engine != engine_kind::edge) throw input_error("--engine: bench measures the edge engine; take --engine edge");
     const scene sc = a->scene.make();
     nlohmann::json report = {{"scene", to_json(sc)}};
     for (std::string const& name : model_names()) {

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <memory>
 
+#include "tb/analysis/check_sweep.hpp"
 #include "tb/commands/commands.hpp"
 #include "tb/commands/reporting.hpp"
 #include "tb/commands/scene_arguments.hpp"
@@ -28,6 +29,7 @@ check_report run_check(arguments const& a) {
     const scene sc = make_scene(a.scene.options());
     // The weights are golden's; hls has the same words in the same order (relievo compare), so golden's stand for both.
     const run_result run = run_model(a.model, sc);
+    if (run.sweep) return check_sweep(run, sc.regs.map);
     check_options options;
     options.culled = sc.options.cull;
     return check_output(run.triangles, sc.triangles, sc.regs.map, options);

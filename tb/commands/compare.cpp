@@ -105,6 +105,8 @@ command add_compare(CLI::App& app) {
     a->out.check(names.back());
     a->rtl.apply(names);
     a->scene.check_measure(a->out.measure);
+    if ((a->rate || a->decisions) && a->scene.options().engine != engine_kind::edge)
+      throw input_error(std::string(a->rate ? "--rate" : "--decisions") + ": is of the edge engine; leave it out with --engine sweep");
     const scene sc = a->scene.make();
     std::vector<run_result> runs;
     for (std::string const& name : names) {
@@ -115,7 +117,7 @@ command add_compare(CLI::App& app) {
     std::optional<measured_error> error;
     if (a->out.measure) error = measure(runs.back().triangles, sc);
 
-    nlohmann::json report = to_json(runs.back().counts);
+    nlohmann::json report = counts_json(runs.back());
     report["models"] = names;
     report["scene"] = to_json(sc);
     if (error) report["error"] = to_json(*error);

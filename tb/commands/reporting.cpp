@@ -45,14 +45,23 @@ void output_arguments::check(std::string const& model, std::vector<std::string> 
   if (model == "ideal") throw input_error("--raw: the ideal model's output has no raw words; take golden or hls");
 }
 
-nlohmann::json to_json(golden::counters const& counts) {
+nlohmann::json counts_json(run_result const& run) {
   nlohmann::json json;
-  counts.each_field([&](char const* name, auto const& x) { json[name] = x; });
+  const auto add = [&](char const* name, auto const& x) { json[name] = x; };
+  if (!run.sweep) {
+    run.counts.each_field(add);
+    return json;
+  }
+  run.sweep->count.counters.each_field(add);
+  if (run.sweep->count.additions) json["additions"] = *run.sweep->count.additions;
   return json;
 }
 
-nlohmann::json to_json(scene const& sc) {
-  scene_options const& o = sc.options;
+namespace {
+
+nlohmann::json vector_json(glm::dvec3 const& v) { return nlohmann::json::array({v.x, v.y, v.z}); }
+
+void add_edge_options(nlohmann::json& json, scene_options const& o) {
   std::string tests;
   const auto add = [&](bool on, char const* name) { tests += on ? (tests.empty() ? "" : ",") + std::string(name) : ""; };
   add(o.tests.nt, "nt");
@@ -61,13 +70,29 @@ nlohmann::json to_json(scene const& sc) {
   add(o.tests.ht, "ht");
   add(o.tests.vt, "vt");
   add(o.tests.ct, "ct");
-  const auto vector = [](glm::dvec3 const& v) { return nlohmann::json::array({v.x, v.y, v.z}); };
+  json["tests"] = tests;
+  json["normal_threshold"] = o.normal_threshold;
+  json["height_mode"] = o.height_average ? "average" : "sum";
+  json["highlight_threshold"] = o.highlight_threshold;
+  json["view_threshold"] = o.view_threshold;
+  json["queue"] = o.fifo ? "fifo" : "lifo";
+  json["cull"] = o.cull;
+  if (o.height_threshold) json["height_threshold"] = *o.height_threshold;
+  if (o.profile_threshold) json["profile_threshold"] = *o.profile_threshold;
+  if (o.half_vector) json["half_vector"] = vector_json(*o.half_vector);
+  if (o.max_generation) json["max_generation"] = *o.max_generation;
+}
+
+}  // namespace
+
+nlohmann::json to_json(scene const& sc) {
+  scene_options const& o = sc.options;
   nlohmann::json json = {
-      {"engine", "edge"},
+      {"engine", o.engine == engine_kind::edge ? "edge" : "sweep"},
       {"mesh", o.mesh},
-      {"eye", vector(sc.camera.eye)},
-      {"at", vector(sc.camera.at)},
-      {"up", vector(sc.camera.up)},
+      {"eye", vector_json(sc.camera.eye)},
+      {"at", vector_json(sc.camera.at)},
+      {"up", vector_json(sc.camera.up)},
       {"fov", sc.camera.fov_degrees},
       {"viewport", {sc.camera.width, sc.camera.height}},
       {"displacement", o.displacement},
@@ -75,18 +100,11 @@ nlohmann::json to_json(scene const& sc) {
       {"scale", o.scale},
       {"bias", o.bias},
       {"texel_size", {sc.texel_size.x, sc.texel_size.y}},
-      {"engine_units_per_world_unit", sc.world_scale},
-      {"tests", tests},
-      {"normal_threshold", o.normal_threshold},
-      {"height_mode", o.height_average ? "average" : "sum"},
-      {"highlight_threshold", o.highlight_threshold},
-      {"view_threshold", o.view_threshold},
-      {"queue", o.fifo ? "fifo" : "lifo"},
-      {"cull", o.cull}};
-  if (o.height_threshold) json["height_threshold"] = *o.height_threshold;
-  if (o.profile_threshold) json["profile_threshold"] = *o.profile_threshold;
-  if (o.half_vector) json["half_vector"] = vector(*o.half_vector);
-  if (o.max_generation) json["max_generation"] = *o.max_generation;
+      {"engine_units_per_world_unit", sc.world_scale}};
+  if (o.engine == engine_kind::edge)
+    add_edge_options(json, o);
+  else
+    json["grid"] = o.grid;
   if (o.near) json["near"] = *o.near;
   if (o.far) json["far"] = *o.far;
   if (sc.map.range) json["sample_range"] = {sc.map.range->low, sc.map.range->high};
@@ -139,6 +157,39 @@ std::string figures(error_report const& e, scene const& sc) {
 }
 }  // namespace
 
+namespace {
+
+void print_edge(golden::counters const& c) {
+  char saved[80];
+  const double met = static_cast<double>(c.edge_tests + c.settled_skips);
+  std::snprintf(saved, sizeof saved, ", %.1f %% saved by settled edges",
+                met > 0 ? 100.0 * static_cast<double>(c.settled_skips) / met : 0.0);
+  print_row("edge tests", grouped(c.edge_tests) + saved);
+  print_row("queue", grouped(c.queue_high_water) + " entries at most");
+}
+
+std::string ratio_text(std::uint64_t x, std::uint64_t y) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.3f", static_cast<double>(x) / static_cast<double>(y));
+  return text;
+}
+
+void print_sweep(sweep_count const& count) {
+  golden::sweep_counters const& c = count.counters;
+  if (c.cut != 0 || c.outside != 0 || c.rejected != 0)
+    print_row("clipped", grouped(c.outside) + " outside, " + grouped(c.cut) + " cut, " + grouped(c.pieces) + " pieces, " +
+                             grouped(c.rejected) + " of them rejected");
+  print_row("primitives", grouped(c.primitives) + ", " + grouped(c.quads) + " of them quads");
+  print_row("vertices", grouped(c.vertices) + (c.primitives != 0 ? ", " + ratio_text(c.vertices, c.primitives) + " a primitive" : ""));
+  if (count.additions && c.quads != 0)
+    print_row("additions", grouped(*count.additions) + ", " + ratio_text(*count.additions, c.quads) + " a quad");
+  if (c.unseen != 0) print_row("unseen", grouped(c.unseen) + " displaced triangles left out");
+  if (c.grid_saturations != 0 || c.overflows != 0)
+    print_row("grid", grouped(c.grid_saturations) + " saturations, " + grouped(c.overflows) + " polygons with a vertex too many");
+}
+
+}  // namespace
+
 void print_run(run_result const& run, scene const& sc, std::optional<measured_error> const& error) {
   golden::counters const& c = run.counts;
   print_row("triangles", grouped(c.triangles_in) + " in, " + grouped(c.triangles_out) + " out" +
@@ -148,12 +199,10 @@ void print_run(run_result const& run, scene const& sc, std::optional<measured_er
     if (error->uniform)
       print_row("uniform grid", figures(error->uniform->error, sc) + " with " + grouped(error->uniform->triangles) + " triangles");
   }
-  char saved[80];
-  const double met = static_cast<double>(c.edge_tests + c.settled_skips);
-  std::snprintf(saved, sizeof saved, ", %.1f %% saved by settled edges",
-                met > 0 ? 100.0 * static_cast<double>(c.settled_skips) / met : 0.0);
-  print_row("edge tests", grouped(c.edge_tests) + saved);
-  print_row("queue", grouped(c.queue_high_water) + " entries at most");
+  if (run.sweep)
+    print_sweep(run.sweep->count);
+  else
+    print_edge(c);
   if (c.saturations != 0 || c.screen_saturations != 0 || c.zero_vectors != 0)
     print_row("counted", grouped(c.saturations) + " saturations, " + grouped(c.screen_saturations) + " screen saturations, " +
                              grouped(c.zero_vectors) + " zero vectors");

@@ -22,7 +22,8 @@ struct output_arguments {
   void check(std::string const& model, std::vector<std::string> const& more = {}) const;
 };
 
-nlohmann::json to_json(golden::counters const& counts);
+// Of its engine.
+nlohmann::json counts_json(run_result const& run);
 nlohmann::json to_json(scene const& sc);
 
 // Error of a mesh, and for a planar base of the uniform grid with as many triangles.

@@ -7,7 +7,7 @@
 namespace relievo::tb {
 
 void scene_arguments::add_to(CLI::App& app) {
-  auto* engine = app.add_option("--engine", engine_, "engine: edge");
+  auto* engine = app.add_option("--engine", engine_, "engine: edge|sweep");
   engine->group("Scene")->capture_default_str();
   app.add_option("--mesh", options_.mesh, "FILE.obj|.ply|.glb, or plane[:N], cylinder[:N,M], sphere[:N], teapot[:N], octahedron")
       ->group("Scene")
@@ -26,23 +26,24 @@ void scene_arguments::add_to(CLI::App& app) {
   app.add_option("--at", at_, "x,y,z")->group("Camera");
   app.add_option("--up", up_, "x,y,z")->group("Camera");
   app.add_option("--fov", options_.fov_degrees, "vertical field of view, degrees")->group("Camera")->capture_default_str();
-  app.add_option("--near", near_, "near plane (reports, rasteriser)")->group("Camera");
-  app.add_option("--far", far_, "far plane (reports, rasteriser)")->group("Camera");
+  app.add_option("--near", near_, "near plane (edge: for reports and the rasteriser)")->group("Camera");
+  app.add_option("--far", far_, "far plane (likewise)")->group("Camera");
   app.add_option("--viewport", viewport_, "WxH pixels")->group("Camera");
-  app.add_option("--tests", tests_, "which of nt,sht,pt,ht,vt,ct are on, or none; default nt,sht,vt,ct")->group("Edge engine");
-  app.add_option("--normal-threshold", options_.normal_threshold, "nt: difference of components of unit normals")
-      ->group("Edge engine")
-      ->capture_default_str();
-  app.add_option("--height-threshold", height_threshold_, "sht: samples (units of the range), times texels in sum mode")
-      ->group("Edge engine");
-  app.add_option("--height-mode", height_mode_, "sht: sum|average")->group("Edge engine");
-  app.add_option("--profile-threshold", profile_threshold_, "pt: samples (units of the range)")->group("Edge engine");
-  app.add_option("--highlight-threshold", options_.highlight_threshold, "ht: cosine")->group("Edge engine")->capture_default_str();
-  app.add_option("--half-vector", half_vector_, "ht: x,y,z")->group("Edge engine");
-  app.add_option("--view-threshold", options_.view_threshold, "vt: pixels, Manhattan")->group("Edge engine")->capture_default_str();
-  app.add_option("--max-generation", max_generation_, "0..15; default ceil(log2(longest base edge in texels)) + 1")->group("Edge engine");
-  app.add_option("--queue", queue_, "lifo|fifo")->group("Edge engine");
-  app.add_flag("--cull", options_.cull, "drop triangles whose displaced normals all point away from the eye")->group("Edge engine");
+  const auto of_edge = [this](CLI::Option* o) { edge_options_.push_back(o->group("Edge engine")); };
+  of_edge(app.add_option("--tests", tests_, "which of nt,sht,pt,ht,vt,ct are on, or none; default nt,sht,vt,ct"));
+  of_edge(app.add_option("--normal-threshold", options_.normal_threshold, "nt: difference of components of unit normals")
+              ->capture_default_str());
+  of_edge(app.add_option("--height-threshold", height_threshold_, "sht: samples (units of the range), times texels in sum mode"));
+  of_edge(app.add_option("--height-mode", height_mode_, "sht: sum|average"));
+  of_edge(app.add_option("--profile-threshold", profile_threshold_, "pt: samples (units of the range)"));
+  of_edge(app.add_option("--highlight-threshold", options_.highlight_threshold, "ht: cosine")->capture_default_str());
+  of_edge(app.add_option("--half-vector", half_vector_, "ht: x,y,z"));
+  of_edge(app.add_option("--view-threshold", options_.view_threshold, "vt: pixels, Manhattan")->capture_default_str());
+  of_edge(app.add_option("--max-generation", max_generation_, "0..15; default ceil(log2(longest base edge in texels)) + 1"));
+  of_edge(app.add_option("--queue", queue_, "lifo|fifo"));
+  of_edge(app.add_flag("--cull", options_.cull, "drop triangles whose displaced normals all point away from the eye"));
+  auto* grid = app.add_option("--grid", options_.grid, "size of a cell of the grid, pixels")->group("Sweep engine")->capture_default_str();
+  sweep_options_.push_back(grid);
 }
 
 void scene_arguments::add_base_triangle(CLI::App& app) {
@@ -55,8 +56,12 @@ void scene_arguments::check_measure(bool measure) const {
 }
 
 scene_options scene_arguments::options() const {
-  if (engine_ != "edge") throw input_error("--engine: '" + engine_ + "' is no engine here; known is edge");
   scene_options o = options_;
+  o.engine = parse_engine(engine_, "--engine");
+  for (CLI::Option const* option : o.engine == engine_kind::edge ? sweep_options_ : edge_options_)
+    if (option->count() > 0)
+      throw input_error(option->get_name() + ": is no option of the engine " + engine_ + "; leave it out, or take --engine " +
+                        (o.engine == engine_kind::edge ? "sweep" : "edge"));
   if (sample_range_) o.sample_range = parse_sample_range(*sample_range_, "--sample-range");
   if (texel_size_) o.texel_size = parse_vector2(*texel_size_, "--texel-size");
   if (address_) o.wrap = parse_address(*address_, "--address");

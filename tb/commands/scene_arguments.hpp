@@ -1,10 +1,11 @@
-// scene_arguments: the options that describe a scene and the edge engine, the same for every subcommand that takes a scene.
+// scene_arguments: the options that describe a scene and its engine, the same for every subcommand that takes a scene.
 // The texts are read by make(), so that each mistake is one input_error that names the option.
 #pragma once
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "tb/host/scene.hpp"
 
@@ -28,6 +29,7 @@ class scene_arguments {
   std::optional<double> near_, far_, height_threshold_, profile_threshold_;
   std::optional<int> max_generation_, base_triangle_;
   std::string engine_ = "edge";
+  std::vector<CLI::Option const*> edge_options_, sweep_options_;  // those of one engine alone
 };
 
 }  // namespace relievo::tb

@@ -32,6 +32,8 @@ command add_tessellate(CLI::App& app) {
     a->out.check(a->model, {a->vectors});
     a->rtl.apply({a->model});
     a->scene.check_measure(a->out.measure);
+    if (!a->vectors.empty() && a->scene.options().engine != engine_kind::edge)
+      throw input_error("--vectors: records runs of the edge engine; leave it out with --engine sweep");
     const scene sc = a->scene.make();
     run_hooks hooks;
     hooks.progress = progress_hook(a->model, sc);
@@ -40,7 +42,7 @@ command add_tessellate(CLI::App& app) {
     std::optional<measured_error> error;
     if (a->out.measure) error = measure(run.triangles, sc);
 
-    nlohmann::json report = to_json(run.counts);
+    nlohmann::json report = counts_json(run);
     report["model"] = a->model;
     report["scene"] = to_json(sc);
     report["seconds"] = run.seconds;

@@ -7,6 +7,7 @@
 #include "tb/host/quantise.hpp"
 #include "tb/host/read_mesh.hpp"
 #include "tb/host/scene_registers.hpp"
+#include "tb/host/sweep_registers.hpp"
 #include "tb/host/value_index.hpp"
 
 namespace relievo::tb {
@@ -186,6 +187,7 @@ void set_camera(scene& sc, heights const& h) {
   const camera_registers registers = make_camera_registers(engine);
   sc.regs.transform = registers.transform;
   sc.regs.transform_normal = registers.transform_normal;
+  sc.row_exponent = registers.row_exponent;
 }
 
 std::array<bool, 2> addresses(scene_options const& o) { return o.wrap.value_or(std::array<bool, 2>{wraps_in_u(o.mesh), false}); }
@@ -248,6 +250,7 @@ scene make_scene(scene_options const& options, mesh base, displacement_map map) 
   set_normal_map(sc, extremes);
   set_camera(sc, h);
   set_tests(sc, extremes);
+  if (options.engine == engine_kind::sweep) set_sweep(sc, extremes);
   return options.base_triangle ? only_base_triangle(std::move(sc), *options.base_triangle) : sc;
 }
 

@@ -14,6 +14,7 @@
 #include "golden/edge/engine_regs.hpp"
 #include "golden/edge/triangle.hpp"
 #include "golden/surface/normal_map.hpp"
+#include "golden/sweep/engine_data.hpp"
 #include "tb/host/camera.hpp"
 #include "tb/host/map.hpp"
 #include "tb/host/mesh.hpp"
@@ -32,6 +33,8 @@ struct scene {
 
   std::vector<golden::triangle> triangles;  // engine units, quantised; the last one carries `last`; all, or options.base_triangle
   golden::engine_regs regs;
+  golden::sweep_regs sweep;  // when options.engine is sweep
+  int row_exponent = 0;      // w is in engine units times 2^row_exponent (camera.hpp)
   golden::normal_map_regs normal_map;
   std::vector<std::string> warnings;  // for stderr: one line each
 

@@ -40,6 +40,11 @@ std::vector<T> numbers_in(std::string const& text, char separator, std::size_t c
 
 }  // namespace
 
+engine_kind parse_engine(std::string const& text, std::string const& option) {
+  if (text != "edge" && text != "sweep") throw input_error(option + ": '" + text + "' is no engine here; known are edge, sweep");
+  return text == "sweep" ? engine_kind::sweep : engine_kind::edge;
+}
+
 test_selection parse_tests(std::string const& text, std::string const& option) {
   test_selection tests{false, false, false, false, false, false};
   if (text == "none") return tests;

@@ -1,4 +1,4 @@
-// scene_options: what a user says about a scene and the edge engine, in the user's units, and how its texts are read.
+// scene_options: what a user says about a scene and its engine, in the user's units, and how its texts are read.
 // An empty optional means "choose a sensible value": make_scene fills it in and leaves the resolved options in the scene.
 #pragma once
 #include <array>
@@ -14,7 +14,10 @@ struct test_selection {
   bool nt = true, sht = true, pt = false, ht = false, vt = true, ct = true;
 };
 
+enum class engine_kind { edge, sweep };
+
 struct scene_options {
+  engine_kind engine = engine_kind::edge;
   std::string mesh = "plane";               // a file or a generator's name (base_meshes.hpp)
   std::string displacement = "half-donut";  // likewise (map.hpp)
   double scale = 0.25, bias = 0.0;          // displacement in world units = bias + scale * sample / 65535
@@ -41,10 +44,13 @@ struct scene_options {
   bool fifo = false;
   bool cull = false;
 
+  double grid = 1.0;  // size of a cell of the sweep engine's grid, pixels
+
   std::optional<int> base_triangle;  // this one alone goes into the models, with the registers of the whole mesh
 };
 
 // Texts of the command line; `option` stands in the message of the input_error.
+engine_kind parse_engine(std::string const& text, std::string const& option);           // edge|sweep
 test_selection parse_tests(std::string const& text, std::string const& option);         // nt,sht,pt,ht,vt,ct in any order, or none
 std::array<bool, 2> parse_address(std::string const& text, std::string const& option);  // clamp|wrap[,clamp|wrap]
 glm::dvec3 parse_vector3(std::string const& text, std::string const& option);           // x,y,z

@@ -9,6 +9,7 @@
 #include "hls/edge/engine.hpp"
 #include "tb/host/input_error.hpp"
 #include "tb/model/hls_words.hpp"
+#include "tb/model/sweep_model.hpp"
 #include "tb/model/words.hpp"
 
 namespace relievo::tb {
@@ -82,6 +83,17 @@ class hls_model : public model {
   hls_words words_;
 };
 
+// Lets a run fill in `kept`; `hooks` are those of the run.
+void keep_sweep(run_hooks& hooks, sweep_result& kept) {
+  hooks.piece = [&kept](golden::swept_piece const& piece) { kept.pieces.push_back(piece); };
+  hooks.swept = [&kept](golden::swept_triangle const& t) {
+    if (t.empty) return;
+    kept.piece_of.push_back(t.piece);
+    for (golden::swept_vertex const& v : t.v) kept.colours.push_back(v.colour);
+  };
+  hooks.sweep_counts = [&kept](sweep_count const& count) { kept.count = count; };
+}
+
 // In the order in which they are named to the user.
 using named_factories = std::vector<std::pair<std::string, model_factory>>;
 named_factories& factories() {
@@ -121,6 +133,7 @@ void check_model_name(std::string const& name) {
 
 std::unique_ptr<model> make_model(std::string const& name, scene const& sc) {
   check_model_name(name);
+  if (sc.options.engine == engine_kind::sweep) return make_sweep_model(name, sc);
   for (auto const& [known, make] : factories())
     if (known == name) return make(sc);
   return nullptr;
@@ -132,6 +145,7 @@ run_result run_model(std::string const& name, scene const& sc, run_hooks hooks) 
   hooks.out = [&result](golden::triangle_out const& t) {
     if (!t.empty) result.triangles.push_back(t);
   };
+  if (sc.options.engine == engine_kind::sweep) keep_sweep(hooks, result.sweep.emplace());
   const auto start = std::chrono::steady_clock::now();
   result.counts = m->run(hooks);
   result.in_order = m->in_order();
