@@ -42,7 +42,9 @@ void scene_arguments::add_to(CLI::App& app) {
   of_edge(app.add_option("--max-generation", max_generation_, "0..15; default ceil(log2(longest base edge in texels)) + 1"));
   of_edge(app.add_option("--queue", queue_, "lifo|fifo"));
   of_edge(app.add_flag("--cull", options_.cull, "drop triangles whose displaced normals all point away from the eye"));
-  auto* grid = app.add_option("--grid", options_.grid, "size of a cell of the grid, pixels")->group("Sweep engine")->capture_default_str();
+  auto* grid = app.add_option("--grid,--grid-size", options_.grid, "size of a cell of the grid, pixels")
+                   ->group("Sweep engine")
+                   ->capture_default_str();
   sweep_options_.push_back(grid);
 }
 

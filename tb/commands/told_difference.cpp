@@ -31,8 +31,8 @@ bool differs_alone(scene const& one, std::function<comparison(scene const&)> con
 }
 
 nlohmann::json to_json(found_difference const& d) {
-  nlohmann::json json = {
-      {"unit", d.unit}, {"base_triangle", d.triangle.index}, {"path", path_text(d.path)}, {"words_different", d.words_different}};
+  nlohmann::json json = {{"unit", d.unit}, {"base_triangle", d.triangle.index}, {"words_different", d.words_different}};
+  if (d.has_path) json["path"] = path_text(d.path);
   if (!d.at) {
     json["only_in"] = d.names[d.side];
     return json;
@@ -81,7 +81,7 @@ told told_difference(comparison const& c, scene const& sc, CLI::App const& app, 
   if (sc.options.base_triangle || known_in(sc, d.triangle.index)) {
     const int index = static_cast<int>(d.triangle.index);
     const scene one = sc.options.base_triangle ? sc : only_base_triangle(sc, index);
-    d.path = path_in(run_model("golden", one), d.triangle).value_or(d.path);
+    if (d.has_path) d.path = path_in(run_model("golden", one), d.triangle).value_or(d.path);
     if (!sc.options.base_triangle) {
       if (differs_alone(one, run_again))
         replay = command_text(app, " " + only + " " + std::to_string(index));

@@ -1,5 +1,6 @@
 #include "tb/host/sweep_registers.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -26,8 +27,8 @@ void set_depths(scene& sc) {
   golden::sweep_regs& r = sc.sweep;
   const double w_per_world = std::ldexp(sc.world_scale, sc.row_exponent);
   r.near = quantise<formats::depth>(*sc.options.near * w_per_world, "--near", w_per_world);
-  r.far = quantise<formats::depth>(*sc.options.far * w_per_world, "--far", w_per_world);
-  const double least = r.transform.w_min + least_before_w_min;
+  r.far = round_half_up<formats::depth>(std::min(*sc.options.far * w_per_world, max_of<formats::depth>()));
+  const double least = std::max(r.transform.w_min + least_before_w_min, 0x1p-20 * std::max(sc.camera.width, sc.camera.height));
   if (r.near < least)
     throw input_error("--near: " + shown(*sc.options.near) + " is too near for a scene of this size; from " + shown(least / w_per_world) +
                       " is possible");

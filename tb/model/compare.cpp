@@ -34,12 +34,18 @@ constexpr origin origins[] = {{"u", "calculate_new_u", 0},    {"p", "calculate_n
                               {"displaced_p", "displace", 2}, {"displaced_n", "bump", 2},  {"screen", "transform", 3},
                               {"w", "transform", 3},          {"behind", "transform", 3},  {"screen_n", "transform_normal", 3},
                               {"away", "transform_normal", 3}};
+// Those that have another name in the sweep engine.
+constexpr origin sweep_origins[] = {
+    {"u", "perspective_correction", 0}, {"p", "perspective_correction", 0}, {"t", "perspective_correction", 0}};
 
-origin origin_of(field const& f) {
+origin origin_of(field const& f, bool sweep) {
   // v[i].member[k]
   const std::size_t dot = f.name.find('.');
   if (dot != std::string::npos) {
     const std::string member = f.name.substr(dot + 1, f.name.find('[', dot) - dot - 1);
+    if (sweep)
+      for (origin const& o : sweep_origins)
+        if (member == o.field) return o;
     for (origin const& o : origins)
       if (member == o.field) return o;
   }
@@ -125,6 +131,24 @@ std::vector<pairing> pairs_by_base(std::vector<record> const& a, std::vector<rec
   return pairs;
 }
 
+using counter_list = std::vector<std::pair<std::string, std::uint64_t>>;
+
+counter_list counters_of(run_result const& run) {
+  counter_list values;
+  const auto add = [&values](char const* name, auto const& x) {
+    if constexpr (std::is_array_v<std::remove_reference_t<decltype(x)>>) {
+      for (auto e : x) values.emplace_back(name, e);
+    } else {
+      values.emplace_back(name, x);
+    }
+  };
+  if (run.sweep)
+    run.sweep->count.counters.each_field(add);
+  else
+    run.counts.each_field(add);
+  return values;
+}
+
 std::ptrdiff_t triangles_of(double base, run_result const& r) {
   return std::count_if(r.triangles.begin(), r.triangles.end(), [base](golden::triangle_out const& t) { return t.index == base; });
 }
@@ -136,13 +160,14 @@ found_difference difference_of(pairing const& p, run_result const& first, run_re
   d.place = p.of[d.side]->place;
   d.triangle = of.triangles[d.place];
   d.path = d.triangle.path;
+  d.has_path = !of.sweep;
   d.words_different = fields().size();
   if (p.of[0] != nullptr && p.of[1] != nullptr) {
     d.words_different = words_apart(*p.of[0], *p.of[1]);
     int stage = 5;
     for (std::size_t i = 0; i < fields().size(); ++i) {
       const std::int64_t x = p.of[0]->w[i], y = p.of[1]->w[i];
-      const origin o = origin_of(fields()[i]);
+      const origin o = origin_of(fields()[i], of.sweep.has_value());
       if (x == y || o.stage >= stage) continue;
       stage = o.stage;
       d.at = fields()[i];
@@ -154,7 +179,8 @@ found_difference difference_of(pairing const& p, run_result const& first, run_re
     if (d.path == 1) d.path = second.triangles[p.of[1]->place].path;
   }
   // Another number of triangles on the base triangle: an edge was split by one and not by the other.
-  if (!d.at || triangles_of(d.triangle.index, first) != triangles_of(d.triangle.index, second)) d.unit = "pass_or_tessellate";
+  if (!d.at || triangles_of(d.triangle.index, first) != triangles_of(d.triangle.index, second))
+    d.unit = of.sweep ? "sweep_line" : "pass_or_tessellate";
   return d;
 }
 
@@ -178,8 +204,8 @@ std::string path_text(std::uint64_t path) {
 
 std::string to_text(found_difference const& d) {
   char where[100];
-  std::snprintf(where, sizeof where, "triangle %zu of %s (base triangle %.0f, path ", d.place, d.names[d.side].c_str(), d.triangle.index);
-  std::string text = where + path_text(d.path) + "), unit " + d.unit;
+  std::snprintf(where, sizeof where, "triangle %zu of %s (base triangle %.0f", d.place, d.names[d.side].c_str(), d.triangle.index);
+  std::string text = where + (d.has_path ? ", path " + path_text(d.path) : "") + "), unit " + d.unit;
   if (!d.at) return text + ": " + d.names[1 - d.side] + " has no such triangle";
   return text + ", field " + d.at->name + ": " + word_text(d.names[0], d.words[0], *d.at) + ", " +
          word_text(d.names[1], d.words[1], *d.at) + "; " + std::to_string(d.words_different) + " of its " +
@@ -214,30 +240,16 @@ comparison compare_runs(std::string const& first_name, run_result const& first, 
     ++result.words_different;
   }
 
-  std::vector<std::pair<std::string, std::uint64_t>> values;
-  first.counts.each_field([&](char const* name, auto const& x) {
-    if constexpr (std::is_array_v<std::remove_reference_t<decltype(x)>>) {
-      for (auto e : x) values.emplace_back(name, e);
-    } else {
-      values.emplace_back(name, x);
-    }
-  });
-  std::size_t i = 0;
-  const auto check = [&](std::uint64_t x) {
+  const counter_list x = counters_of(first), y = counters_of(second);
+  for (std::size_t i = 0; i < std::min(x.size(), y.size()); ++i) {
     // How full a queue was is a matter of time where triangles overtake each other.
-    const bool timed = !in_order && (values[i].first == "queue_high_water" || values[i].first == "fifo_fallbacks");
-    if (!timed && values[i].second != x)
-      result.counters_different.push_back(values[i].first + ": " + first_name + " " + std::to_string(values[i].second) + ", " +
-                                          second_name + " " + std::to_string(x));
-    ++i;
-  };
-  second.counts.each_field([&](char const*, auto const& x) {
-    if constexpr (std::is_array_v<std::remove_reference_t<decltype(x)>>) {
-      for (auto e : x) check(e);
-    } else {
-      check(x);
-    }
-  });
+    const bool timed = !in_order && (x[i].first == "queue_high_water" || x[i].first == "fifo_fallbacks");
+    if (!timed && x[i].second != y[i].second)
+      result.counters_different.push_back(x[i].first + ": " + first_name + " " + std::to_string(x[i].second) + ", " + second_name + " " +
+                                          std::to_string(y[i].second));
+  }
+  if (first.sweep && second.sweep && first.sweep->colours != second.sweep->colours)
+    result.counters_different.push_back("colours: " + first_name + " and " + second_name + " differ");
   return result;
 }
 

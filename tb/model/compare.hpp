@@ -4,6 +4,7 @@
 //   the other has of the same base triangle, the likest two first. The first difference is told with the unit whose register the word is,
 //   the field, both words in hex and as numbers, the base triangle and the path of splits that led there (golden knows it: path_in).
 //   Of several words that differ the one furthest up the data path is told: what follows from it differs too.
+//   Of the sweep engine the colours are compared too; a difference of theirs is told beside the counters'.
 //   Counters are compared too: none of them depends on time but those of the queue, which are left out where the order is free.
 #pragma once
 #include <array>
@@ -20,13 +21,14 @@ namespace relievo::tb {
 // One triangle that differs.
 struct found_difference {
   std::array<std::string, 2> names;  // of the runs
-  std::string unit;                  // whose register differs; pass_or_tessellate where a run split otherwise
+  std::string unit;                  // whose register differs; pass_or_tessellate or sweep_line where a run split otherwise
   std::optional<field> at;           // none: only one of the runs has the triangle
   std::int64_t words[2] = {0, 0};    // of that field
   std::size_t words_different = 0;   // in this triangle
   std::size_t place = 0;             // of the triangle in its run
   std::size_t side = 0;              // whose triangle it is: that of the first run unless only the second has it
   std::uint64_t path = 1;            // golden's name of it; 1 for a base triangle, or where no one knows (path_in)
+  bool has_path = true;              // of the edge engine
   golden::triangle_out triangle;
 };
 

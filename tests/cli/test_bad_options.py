@@ -5,7 +5,7 @@ from command_line import SMALL, command_line
 
 # Option, value, and what the line has to name when that is not the option.
 BAD = [
-    ("--model", "foo"), ("--model", "RTL"), ("--model", ""), ("--engine", "foo"), ("--engine", "sweep"),
+    ("--model", "foo"), ("--model", "RTL"), ("--model", ""), ("--engine", "foo"), ("--engine", "patch"),
     ("--mesh", "foo"), ("--mesh", "plane:0"), ("--mesh", "plane:-1"), ("--mesh", "plane:2,2"), ("--mesh", "plane:x"),
     ("--mesh", "plane:99999999999"), ("--mesh", "octahedron:3"), ("--mesh", ""),
     ("--displacement", "foo"), ("--displacement", "sine:0"), ("--displacement", "sine:8193"), ("--displacement", "sine:8,8193"),

@@ -7,15 +7,16 @@ SCENE = ["--mesh", "--displacement", "--scale", "--bias", "--sample-range", "--t
          "--near", "--far", "--viewport"]
 EDGE = ["--tests", "--normal-threshold", "--height-threshold", "--height-mode", "--profile-threshold", "--highlight-threshold",
         "--half-vector", "--view-threshold", "--max-generation", "--queue", "--cull"]
+SWEEP = ["--engine", "--grid"]
 CIRCUIT = ["--stall", "--idle", "--latency", "--seed", "--trace", "--trace-from", "--trace-cycles"]
 OUTPUT = ["-o", "--raw", "--report", "--image", "--wireframe"]
 OPTIONS = {
-    ("tessellate",): ["--engine", "--model", "--vectors", "--base-triangle"] + CIRCUIT + SCENE + EDGE + OUTPUT,
-    ("compare",): ["--models", "--base-triangle"] + CIRCUIT + SCENE + EDGE + OUTPUT,
-    ("check",): ["MESH", "--base", "--model", "--report"] + SCENE + EDGE,
-    ("error",): ["MESH", "--report"] + SCENE + EDGE,
+    ("tessellate",): ["--model", "--vectors", "--base-triangle"] + CIRCUIT + SCENE + EDGE + SWEEP + OUTPUT,
+    ("compare",): ["--models", "--base-triangle"] + CIRCUIT + SCENE + EDGE + SWEEP + OUTPUT,
+    ("check",): ["MESH", "--base", "--model", "--report"] + SCENE + EDGE + SWEEP,
+    ("error",): ["MESH", "--report"] + SCENE + EDGE + SWEEP,
     ("replay",): ["FILE", "--model", "--only"] + CIRCUIT,
-    ("bench",): ["--report"] + SCENE + EDGE,
+    ("bench",): ["--report"] + SCENE + EDGE + SWEEP,
     ("map",): ["info", "sat", "normals", "levels", "generate"],
     ("map", "info"): ["FILE", "--sample-range"],
     ("map", "sat"): ["FILE", "-o", "--address"],

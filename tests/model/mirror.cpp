@@ -13,6 +13,7 @@
 #include "golden/edge/get_triangle.hpp"
 #include "golden/surface/normal_map.hpp"
 #include "golden/sweep/difference_vertices.hpp"
+#include "golden/sweep/engine_data.hpp"
 #include "golden/sweep/perspective_correction.hpp"
 #include "golden/sweep/perspective_preparation.hpp"
 #include "golden/sweep/sweep_line.hpp"
@@ -21,6 +22,7 @@
 #include "hls/edge/engine.hpp"
 #include "hls/surface/normal_map.hpp"
 #include "hls/sweep/difference_vertices.hpp"
+#include "hls/sweep/engine_data.hpp"
 #include "hls/sweep/perspective_correction.hpp"
 #include "hls/sweep/perspective_preparation.hpp"
 #include "hls/sweep/sweep_line.hpp"
@@ -190,6 +192,14 @@ TEST(mirror, records_of_the_sweep_engine) {
   RELIEVO_EXPECT_MIRRORED(perspective_correction_in);
   RELIEVO_EXPECT_MIRRORED(perspective_correction_regs);
   RELIEVO_EXPECT_MIRRORED(perspective_correction_out);
+  RELIEVO_EXPECT_MIRRORED(base_triangle);
+  RELIEVO_EXPECT_MIRRORED(swept_vertex);
+  RELIEVO_EXPECT_MIRRORED(swept_triangle);
+  RELIEVO_EXPECT_MIRRORED(sweep_regs);
+  RELIEVO_EXPECT_MIRRORED(sweep_counters);
+  RELIEVO_EXPECT_MIRRORED(view_volume_clip_in);
+  RELIEVO_EXPECT_MIRRORED(view_volume_clip_regs);
+  RELIEVO_EXPECT_MIRRORED(view_volume_clip_out);
 }
 
 TEST(mirror, the_units_before_the_grid_name_the_same_fields_in_the_same_order) {
