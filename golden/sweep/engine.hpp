@@ -9,8 +9,8 @@
 //
 // A base triangle that near_clip cuts becomes pieces, the fan of its polygon about its first vertex; any other is one piece. A corner
 // of a piece has its given words. An edge's vertices depend on the edge's two ends alone, so neighbours have the same.
-// Where a wrapped map closes, one triangle has U = 0 along an edge and its neighbour U = W: the edge is interpolated as 0 in both, and W
-// put back, as W would come out of the perspective correction with an error that 0 has not.
+// Where a wrapped map closes, one triangle has U = W along an edge and its neighbour U = 0: its vertices have W itself, as W c / c would
+// have an error that 0 c / c has not.
 // The ideal walks the same grid as golden does: corners on whole cells are the algorithm's, not a rounding of its numbers.
 // Displacement is sampled unfiltered, the colour passes through.
 #pragma once
@@ -105,11 +105,8 @@ class sweep_engine {
     for (int i = 0; i < 3; ++i) {
       interpolated_.p[i] = ends.p[i] = piece_.p[i];
       interpolated_.corner[i] = ends.corner[i] = data.corner[i];
-      for (int k = 0; k < 2; ++k) interpolated_.end[i][k] = data.end[i][k];
+      for (int k = 0; k < 2; ++k) interpolated_.end[i][k] = ends.end[i][k] = data.end[i][k];
     }
-    lay_seams_at_zero(interpolated_.end);
-    for (int i = 0; i < 3; ++i)
-      for (int k = 0; k < 2; ++k) ends.end[i][k] = interpolated_.end[i][k];
     interpolated_.difference = difference_vertices<Rounding>(ends);
 
     std::vector<named_vertex> before;
@@ -152,11 +149,6 @@ class sweep_engine {
     const bool wraps = axis == 0 ? regs_.map.wrap_u : regs_.map.wrap_v;
     const double size = axis == 0 ? regs_.map.width : regs_.map.height;
     return wraps && piece_.v[edge].u[axis] == size && piece_.v[(edge + 1) % 3].u[axis] == size;
-  }
-  void lay_seams_at_zero(interpolants (&end)[3][2]) const {
-    for (int e = 0; e < 3; ++e)
-      for (int axis = 0; axis < 2; ++axis)
-        if (on_seam(e, axis)) end[e][0].u[axis] = end[e][1].u[axis] = 0;
   }
 
   struct named_vertex {

@@ -9,8 +9,8 @@
 //   most two records. done() after the last one went out; start() begins the next mesh. A triangle that near_clip cut is the fan of its
 //   polygon, piece after piece; any other is one piece. The vertices of the primitive before are kept (the paper's stripping unit has
 //   registers for as many), so a quad computes two new ones within a strip.
-//   A vertex of an edge depends on the edge's two ends alone. Along an edge with U = W, where a wrapped axis closes, U is interpolated
-//   as 0, what the neighbour has there, and W put back.
+//   A vertex of an edge depends on the edge's two ends alone. Along an edge with U = W at both ends, where a wrapped axis closes, U is W:
+//   the neighbour has exactly 0 there, and W c / c would have an error.
 //   Displacement unfiltered, at U; the colour passes.
 //   sequential; a primitive a step
 #pragma once
@@ -157,7 +157,6 @@ class sweep_engine {
       for (int a = 0; a < 2; ++a) {
         const bool wraps = a == 0 ? regs.map.wrap_u : regs.map.wrap_v;
         seam_[e][a] = wraps && piece_.v[e].u[a] == regs.limit[a] && piece_.v[next].u[a] == regs.limit[a];
-        if (seam_[e][a]) out.end[e][0].u[a] = out.end[e][1].u[a] = from_raw<formats::interp_coordinate>(0);
       }
     }
   }

@@ -17,6 +17,7 @@
 #include "golden/sweep/perspective_correction.hpp"
 #include "golden/sweep/perspective_preparation.hpp"
 #include "golden/sweep/sweep_line.hpp"
+#include "golden/sweep/view_volume_clip.hpp"
 #include "golden/sweep/world_data.hpp"
 #include "hls/core/normalize.hpp"
 #include "hls/edge/engine.hpp"
@@ -26,6 +27,7 @@
 #include "hls/sweep/perspective_correction.hpp"
 #include "hls/sweep/perspective_preparation.hpp"
 #include "hls/sweep/sweep_line.hpp"
+#include "hls/sweep/view_volume_clip.hpp"
 #include "hls/sweep/world_data.hpp"
 #include "tb/model/words.hpp"
 
