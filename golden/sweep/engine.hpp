@@ -39,14 +39,6 @@
 namespace relievo {
 namespace golden {
 
-struct swept_piece {
-  base_vertex v[3];
-  double index = 0;  // of the base triangle
-  bool walked = false;
-  glm::dvec3 p[3] = {};  // on the grid, of a walked one, and its plane
-  remeshing_plane_out plane;
-};
-
 template <class Rounding>
 class sweep_engine {
  public:

@@ -17,6 +17,7 @@
 //     triangles_out;  unseen: displaced triangles that view_volume_clip left out
 //     saturations: perspective_correction, displace, bump of a vertex;  screen_saturations: transform of a corner or a displaced vertex;
 //     grid_saturations: of a corner;  zero_vectors: bump
+//   swept_piece      what an observer of golden sees of a piece: its corners, and where it is walked their places on the grid and the plane
 //
 // name and piece are no fields of the hardware's records: the names of the triangle's vertices, and the number of its piece.
 #pragma once
@@ -27,6 +28,7 @@
 #include "golden/surface/map_regs.hpp"
 #include "golden/surface/transform.hpp"
 #include "golden/sweep/remeshed.hpp"
+#include "golden/sweep/remeshing_plane.hpp"
 #include "golden/sweep/vertex_data.hpp"
 #include "golden/sweep/world_data.hpp"
 #include "hls/core/record.hpp"
@@ -61,6 +63,14 @@ struct swept_triangle {
 
   remeshed_vertex name[3];
   std::uint64_t piece = 0;
+};
+
+struct swept_piece {
+  base_vertex v[3];
+  double index = 0;     // of the base triangle
+  bool walked = false;  // not rejected
+  glm::dvec3 p[3] = {};
+  remeshing_plane_out plane;
 };
 
 struct sweep_regs {

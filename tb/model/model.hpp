@@ -18,7 +18,7 @@
 #include "golden/edge/counters.hpp"
 #include "golden/edge/edge_trace.hpp"
 #include "golden/edge/triangle.hpp"
-#include "golden/sweep/engine.hpp"
+#include "golden/sweep/engine_data.hpp"
 #include "tb/host/scene.hpp"
 
 namespace relievo::tb {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "golden/core/rounding.hpp"
+#include "golden/sweep/engine.hpp"
 #include "hls/sweep/engine.hpp"
 #include "hls/sweep/z_table.hpp"
 #include "tb/host/input_error.hpp"

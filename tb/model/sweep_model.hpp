@@ -11,7 +11,6 @@
 #include <memory>
 #include <string>
 
-#include "golden/sweep/engine.hpp"
 #include "tb/model/model.hpp"
 
 namespace relievo::tb {

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "golden/sweep/grid_transform.hpp"
+#include "golden/sweep/z_table.hpp"
 #include "tb/analysis/check_sweep.hpp"
 #include "tb/host/base_meshes.hpp"
 #include "tb/model/compare.hpp"
