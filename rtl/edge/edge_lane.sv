@@ -11,16 +11,15 @@
 //   parameter VertexClocks  that a new vertex takes, 1 or 3; with three, which edges take of the memories anyway when a test asks them,
 //             its arithmetic takes turns
 //
-//   latency 174 clocks with one a vertex, and those of the table's and of the map's memory; initiation interval VertexClocks where the
+//   latency 175 clocks with one a vertex, and those of the table's and of the map's memory; initiation interval VertexClocks where the
 //   memories deliver: an edge takes 12/ReadsPerClock clocks of the table and ceil(samples/SamplesPerClock) of the map when those tests are
 //   on. Registered: all outputs, in_ready_o but for an AND; within, a join waits until all its parts have something. Nothing is dropped,
 //   everything can stall.
 //
-//   in --[edge_tests]--+--[new_vertex]--+--[normal_sampler]---+--[edge_back]--+-- out
-//                      |                +--[displace_vertex]--+     |         |
-//                      |                +--[FIFO]-------------+     |         |
-//                      |                +--[FIFO: its base]---------)---------+
-//                      +--[FIFO: what was said]---------------------+
+//   in --[edge_tests]--+--[new_vertex]--[edge_maps]--[edge_back]--+-- out
+//                      |                     |           |        |
+//                      |                     +--its base-)--------+
+//                      +--[FIFO: what was said]----------+
 module edge_lane
   import formats_pkg::*;
   import surface_pkg::*;
@@ -74,6 +73,7 @@ module edge_lane
   localparam int unsigned NewLatency = latency_pkg::new_vertex(VertexClocks);
   localparam int unsigned BackLatency = latency_pkg::edge_back(VertexClocks);
   localparam int unsigned WaitingDepth = InFlight + 64;
+  localparam int unsigned BaseDepth = WaitingDepth + BackLatency / VertexClocks + 9;
 
   // A vertex begins at the first of VertexClocks clocks.
   logic first;
@@ -159,94 +159,52 @@ module edge_lane
   );
 
   // ---- the maps at the new vertex, where one is needed
-  logic ask_maps, normal_in_ready, displace_in_ready, waiting_ready, base_ready, made_fire;
-  assign ask_maps = made.needed;
-  assign made_ready = waiting_ready && base_ready
-                    && ((normal_in_ready && displace_in_ready) || !ask_maps);
-  assign made_fire = made_valid && made_ready;
-
-  logic normal_valid, normal_ready, displaced_valid, displaced_ready;
-  normal_sampler_out_t normal;
-  normal_sampler #(.InFlight(InFlight)) i_normal (
+  waiting_t             waiting;
+  normal_sampler_out_t  normal;
+  displace_vertex_out_t displaced;
+  base_frame_t          base;
+  logic last_valid, last_ready, back_ready, seen_valid;
+  edge_maps #(
+    .InFlight(InFlight), .WaitingDepth(WaitingDepth), .BaseDepth(BaseDepth)
+  ) i_maps (
     .clk_i,
     .rst_ni,
     .map_i(regs_i.map),
-    .in_valid_i(made_fire && ask_maps),
-    .in_ready_o(normal_in_ready),
-    .in_i('{u: made.base.u}),
+    .displace_i(regs_i.displace),
+    .in_valid_i(made_valid),
+    .in_ready_o(made_ready),
+    .in_i(made),
+    .place_req_valid_o,
+    .place_req_ready_i,
+    .place_req_o,
+    .place_rsp_valid_i,
+    .place_rsp_i,
     .normal_req_valid_o,
     .normal_req_ready_i,
     .normal_req_o,
     .normal_rsp_valid_i,
     .normal_rsp_i,
-    .out_valid_o(normal_valid),
-    .out_ready_i(normal_ready),
-    .out_o(normal)
-  );
-  displace_vertex_out_t displaced;
-  displace_vertex #(.InFlight(InFlight)) i_displace_vertex (
-    .clk_i,
-    .rst_ni,
-    .map_i(regs_i.map),
-    .regs_i(regs_i.displace),
-    .in_valid_i(made_fire && ask_maps),
-    .in_ready_o(displace_in_ready),
-    .in_i('{u: made.base.u, n: made.base.n, p: made.base.p}),
-    .quad_req_valid_o(place_req_valid_o),
-    .quad_req_ready_i(place_req_ready_i),
-    .quad_req_o(place_req_o),
-    .quad_rsp_valid_i(place_rsp_valid_i),
-    .quad_rsp_i(place_rsp_i),
-    .out_valid_o(displaced_valid),
-    .out_ready_i(displaced_ready),
-    .out_o(displaced)
-  );
-  waiting_t waiting;
-  logic     waiting_valid, waiting_leaves;
-  logic [$clog2(WaitingDepth+1)-1:0] unused_waiting_count;
-  stream_fifo #(.T(waiting_t), .Depth(WaitingDepth)) i_waiting (
-    .clk_i, .rst_ni,
-    .in_valid_i(made_fire),
-    .in_ready_o(waiting_ready),
-    .in_i('{needed: made.needed, zeros: made.zeros, t: made.base.t, n: made.base.n}),
-    .out_valid_o(waiting_valid),
-    .out_ready_i(waiting_leaves),
-    .out_o(waiting),
-    .count_o(unused_waiting_count)
+    .out_valid_o(last_valid),
+    .out_ready_i(last_ready),
+    .waiting_o(waiting),
+    .normal_o(normal),
+    .displaced_o(displaced),
+    .base_leaves_i(seen_valid && out_ready_i),
+    .base_o(base)
   );
 
-  // ---- join, and the decision. What is joined comes from all over the device, as in edge_tests.
-  logic near_waiting_valid, near_normal_valid, near_displaced_valid;
-  logic last_valid, last_ready, back_ready, back_uses, seen_valid;
-  waiting_t             near_waiting;
-  normal_sampler_out_t  near_normal;
-  displace_vertex_out_t near_displaced;
-  stream_register #(.T(waiting_t)) i_near_waiting (
-    .clk_i, .rst_ni, .in_valid_i(waiting_valid), .in_ready_o(waiting_leaves), .in_i(waiting),
-    .out_valid_o(near_waiting_valid), .out_ready_i(back_fire), .out_o(near_waiting)
-  );
-  stream_register #(.T(normal_sampler_out_t)) i_near_normal (
-    .clk_i, .rst_ni, .in_valid_i(normal_valid), .in_ready_o(normal_ready), .in_i(normal),
-    .out_valid_o(near_normal_valid), .out_ready_i(back_uses), .out_o(near_normal)
-  );
-  stream_register #(.T(displace_vertex_out_t)) i_near_displaced (
-    .clk_i, .rst_ni, .in_valid_i(displaced_valid), .in_ready_o(displaced_ready), .in_i(displaced),
-    .out_valid_o(near_displaced_valid), .out_ready_i(back_uses), .out_o(near_displaced)
-  );
-  assign last_valid = near_waiting_valid
-                      && ((near_normal_valid && near_displaced_valid) || !near_waiting.needed);
+  // ---- the decision
   assign last_ready = back_ready && first;
   assign back_fire = last_valid && last_ready;
-  assign back_uses = back_fire && near_waiting.needed;
 
   seen_vertex_t seen_data, seen;
   edge_back #(.Clocks(VertexClocks)) i_back (
     .clk_i,
     .first_i(first),
     .regs_i,
-    .in_i(near_waiting),
-    .normal_i(near_normal),
-    .displaced_i(near_displaced),
+    .in_i(waiting),
+    .normal_i(normal),
+    .displaced_i(displaced),
     .judged_i(judged),
     .out_o(seen_data)
   );
@@ -261,21 +219,6 @@ module edge_lane
     .out_o(seen)
   );
 
-  // Its base was there long before.
-  localparam int unsigned BaseDepth = WaitingDepth + 2 + BackLatency / VertexClocks + 5;
-  base_frame_t base;
-  logic        unused_base_valid;
-  logic [$clog2(BaseDepth+1)-1:0] unused_base_count;
-  stream_fifo #(.T(base_frame_t), .Depth(BaseDepth)) i_base (
-    .clk_i, .rst_ni,
-    .in_valid_i(made_fire),
-    .in_ready_o(base_ready),
-    .in_i(made.base),
-    .out_valid_o(unused_base_valid),
-    .out_ready_i(seen_valid && out_ready_i),
-    .out_o(base),
-    .count_o(unused_base_count)
-  );
   assign out_valid_o = seen_valid;
   always_comb begin
     out_o.counts = seen.counts;

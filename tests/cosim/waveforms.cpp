@@ -137,7 +137,7 @@ TEST(waveforms, the_save_file_names_what_is_there) {
   }
   EXPECT_EQ(depth, 0);
   for (char const* unit : {"engine", "engine.i_queue", "engine.gen_lane[0].i_lane", "engine.gen_lane[0].i_lane.i_tests.i_sht",
-                           "engine.gen_lane[0].i_lane.i_tests.i_pt", "engine.gen_lane[0].i_lane.i_normal", "in", "out", "table_req",
+                           "engine.gen_lane[0].i_lane.i_tests.i_pt", "engine.gen_lane[0].i_lane.i_maps.i_normal", "in", "out", "table_req",
                            "table_rsp", "push", "pop"})
     EXPECT_EQ(groups.count(unit), 1u) << unit;
   // Valid, ready and word of every link of the top, the words with their width.

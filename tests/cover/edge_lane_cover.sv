@@ -12,17 +12,7 @@ module edge_lane_cover
   // the new vertex
   input logic         joined_valid,
   input logic         joined_ready,
-  // the maps at the new vertex
-  input logic         made_valid,
-  input logic         ask_maps,
-  input logic         waiting_ready,
-  input logic         normal_in_ready,
-  input logic         displace_in_ready,
   // the second join
-  input logic         waiting_valid,
-  input waiting_t     waiting,
-  input logic         normal_valid,
-  input logic         displaced_valid,
   input logic         last_valid,
   input logic         last_ready,
   // out
@@ -58,15 +48,6 @@ module edge_lane_cover
 
   // ---- waiting
   joined_waits: cover property (@(posedge clk_i) rst_ni && joined_valid && !joined_ready);
-  normal_refuses: cover property (@(posedge clk_i) rst_ni && made_valid && ask_maps
-                                  && !normal_in_ready);
-  displace_refuses: cover property (@(posedge clk_i) rst_ni && made_valid && ask_maps
-                                    && !displace_in_ready);
-  waiting_full: cover property (@(posedge clk_i) rst_ni && made_valid && !waiting_ready);
-  waits_for_normal: cover property (@(posedge clk_i) rst_ni && waiting_valid && waiting.needed
-                                    && !normal_valid);
-  waits_for_displaced: cover property (@(posedge clk_i) rst_ni && waiting_valid && waiting.needed
-                                       && !displaced_valid);
   last_waits: cover property (@(posedge clk_i) rst_ni && last_valid && !last_ready);
   out_waits: cover property (@(posedge clk_i) rst_ni && out_valid_o && !out_ready_i);
 endmodule

@@ -73,20 +73,20 @@ bind edge_lane link_properties #(
   .clk_i, .rst_ni, .valid_i(made_valid), .ready_i(made_ready), .word_i(made)
 );
 
-bind edge_lane link_properties #(
-  .Name("edge_lane, normal"), .Width($bits(surface_pkg::normal_sampler_out_t))
+bind edge_maps link_properties #(
+  .Name("edge_maps, normal"), .Width($bits(surface_pkg::normal_sampler_out_t))
 ) i_link_normal (
   .clk_i, .rst_ni, .valid_i(normal_valid), .ready_i(normal_ready), .word_i(normal)
 );
 
-bind edge_lane link_properties #(
-  .Name("edge_lane, displaced"), .Width($bits(edge_pkg::displace_vertex_out_t))
+bind edge_maps link_properties #(
+  .Name("edge_maps, displaced"), .Width($bits(edge_pkg::displace_vertex_out_t))
 ) i_link_displaced (
   .clk_i, .rst_ni, .valid_i(displaced_valid), .ready_i(displaced_ready), .word_i(displaced)
 );
 
-bind edge_lane link_properties #(
-  .Name("edge_lane, waiting"), .Width($bits(lane_pkg::waiting_t))
+bind edge_maps link_properties #(
+  .Name("edge_maps, waiting"), .Width($bits(lane_pkg::waiting_t))
 ) i_link_waiting (
   .clk_i, .rst_ni, .valid_i(waiting_valid), .ready_i(waiting_leaves), .word_i(waiting)
 );
@@ -94,7 +94,7 @@ bind edge_lane link_properties #(
 bind edge_lane link_properties #(
   .Name("edge_lane, last"), .Width($bits(lane_pkg::waiting_t))
 ) i_link_last (
-  .clk_i, .rst_ni, .valid_i(last_valid), .ready_i(last_ready), .word_i(near_waiting)
+  .clk_i, .rst_ni, .valid_i(last_valid), .ready_i(last_ready), .word_i(waiting)
 );
 
 bind edge_lane link_properties #(
