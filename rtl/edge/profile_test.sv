@@ -100,9 +100,9 @@ module profile_test
   // ---- groups: one a clock while there are places for what it leads to. An edge has its place in the order from its first group on.
   logic [4:0] group_q;
   logic [CountBits-1:0] asked_q;
-  logic reads, room, order_ready, request_ready, go, ask, last;
+  logic reads, room, room_q, order_ready, request_ready, go, ask, last;
   assign reads = head.levels != '0;
-  assign room = (group_q != '0 || order_ready) && asked_q != CountBits'(InFlight);
+  assign room = (group_q != '0 || order_ready) && room_q;
   assign last = group_q == (reads ? (5'd1 << head.levels) >> $clog2(SamplesPerClock) : 5'd0);
   assign ask = head_valid && room && reads;
   assign go = head_valid && room && (request_ready || !reads);
@@ -111,9 +111,12 @@ module profile_test
     if (!rst_ni) begin
       group_q <= '0;
       asked_q <= '0;
+      room_q <= 1'b1;
     end else begin
       if (go) group_q <= last ? '0 : group_q + 5'd1;
       asked_q <= asked_q + CountBits'(ask && request_ready) - CountBits'(quad_rsp_valid_i);
+      // A group may have been asked for since the count.
+      room_q <= asked_q < CountBits'(InFlight - 1);
     end
   end
 
@@ -210,12 +213,23 @@ module profile_test
   profile_test_out_t result;
   logic unused_result_ready;
   logic [CountBits-1:0] unused_order_count, unused_result_count;
-  stream_fifo #(.Depth(InFlight)) i_order (
+  logic ordered_valid, ordered_ready, ordered_reads;
+  stream_register i_ordered (
     .clk_i,
     .rst_ni,
     .in_valid_i(go && group_q == '0),
     .in_ready_o(order_ready),
     .in_i(reads),
+    .out_valid_o(ordered_valid),
+    .out_ready_i(ordered_ready),
+    .out_o(ordered_reads)
+  );
+  stream_fifo #(.Depth(InFlight)) i_order (
+    .clk_i,
+    .rst_ni,
+    .in_valid_i(ordered_valid),
+    .in_ready_o(ordered_ready),
+    .in_i(ordered_reads),
     .out_valid_o(order_valid),
     .out_ready_i(out_leaves),
     .out_o(order_reads),
