@@ -23,9 +23,11 @@ module edge_tests_cover
   input logic         pt_in_ready,
   input logic         beside_ready,
   // the join
-  input logic         beside_valid,
+  input logic         near_beside_valid,
   input logic         wait_sht,
   input logic         wait_pt,
+  input logic         near_sht_valid,
+  input logic         near_pt_valid,
   input logic         sht_valid,
   input logic         sht_ready,
   input logic         pt_valid,
@@ -63,11 +65,15 @@ module edge_tests_cover
   sht_refuses: cover property (@(posedge clk_i) rst_ni && front_valid && ask_sht && !sht_in_ready);
   pt_refuses: cover property (@(posedge clk_i) rst_ni && front_valid && ask_pt && !pt_in_ready);
   beside_full: cover property (@(posedge clk_i) rst_ni && front_valid && !beside_ready);
-  waits_for_sht: cover property (@(posedge clk_i) rst_ni && beside_valid && wait_sht && !sht_valid);
-  waits_for_pt: cover property (@(posedge clk_i) rst_ni && beside_valid && wait_pt && !pt_valid);
+  waits_for_sht: cover property (@(posedge clk_i) rst_ni && near_beside_valid && wait_sht
+                                 && !near_sht_valid);
+  waits_for_pt: cover property (@(posedge clk_i) rst_ni && near_beside_valid && wait_pt
+                                && !near_pt_valid);
   sht_waits: cover property (@(posedge clk_i) rst_ni && sht_valid && !sht_ready);
   pt_waits: cover property (@(posedge clk_i) rst_ni && pt_valid && !pt_ready);
   out_waits: cover property (@(posedge clk_i) rst_ni && out_valid_o && !out_ready_i);
 endmodule
 
-bind edge_tests edge_tests_cover i_cover (.*);
+bind edge_tests edge_tests_cover i_cover (
+  .wait_sht(near_beside.ask_sht), .wait_pt(near_beside.ask_pt), .*
+);
