@@ -61,4 +61,27 @@ package sweep_pkg;
     sub_triangle_t [1:0] sub;
     logic [1:0] kind;
   } case_selection_out_t;
+
+  typedef struct packed {
+    sub_triangle_t sub;
+    remeshing_plane_out_t plane;
+    grid_t [2:0][2:0] p;
+  } sub_triangle_remeshing_in_t;
+
+  typedef struct packed {
+    grid_t [2:0][2:0] p;
+  } sweep_line_in_t;
+
+  typedef struct packed {
+    grid_t t;
+    grid_t s;
+    steps_t i;
+    logic [1:0] number;
+    logic [1:0] kind;
+  } remeshed_vertex_t;
+
+  typedef struct packed {
+    remeshed_vertex_t [3:0] v;
+    logic quad;
+  } primitive_t;
 endpackage

@@ -22,9 +22,7 @@
 #include "hls/surface/bump.hpp"
 #include "hls/surface/normal_map.hpp"
 #include "hls/surface/normal_sampler.hpp"
-#include "hls/sweep/case_selection.hpp"
-#include "hls/sweep/main_direction.hpp"
-#include "hls/sweep/primary_edge.hpp"
+#include "hls/sweep/sweep_line.hpp"
 #include "hls/top/top.hpp"
 
 namespace relievo::tb {
@@ -245,6 +243,10 @@ void print(std::string const& folder) {
   RELIEVO_RECORD(sweep, case_selection_in)
   RELIEVO_RECORD(sweep, sub_triangle)
   RELIEVO_RECORD(sweep, case_selection_out)
+  RELIEVO_RECORD(sweep, sub_triangle_remeshing_in)
+  RELIEVO_RECORD(sweep, sweep_line_in)
+  RELIEVO_RECORD(sweep, remeshed_vertex)
+  RELIEVO_RECORD(sweep, primitive)
 #undef RELIEVO_RECORD
   write(folder + "/sweep/sweep_pkg.sv", records_package("sweep_pkg", "records of the units of sweep", formats, sweep));
 }

@@ -1,0 +1,258 @@
+// side_walk: the strips of a remeshing, one after the other; the inner loop, a primitive a clock.
+//   Gumhold & Huettner 1999, 3.4.4, Figures 14 and 15                         contract: hls/sweep/side_walk.hpp
+//   in    strip_valid_i, strip_ready_o, strip_i   a strip's first vertices, from walk_strips
+//         edge_valid_i, edge_ready_o, edge_i      vertices of the side edges, from walk_edges
+//   out   out_valid_o, out_ready_i, out_o         the kernel's primitive, whether it is the last of its strip, its sub-triangle, its triangle,
+//                                                 and what a data path does to have its vertices
+//
+//   latency 3 to the first decision and 5 to its primitive, of the later of a strip and its edge's vertices; initiation interval 1, from strip
+//   to strip and from triangle to triangle too, as long as strips and vertices are there. Registered: all outputs, but for a gate behind
+//   out_o; no path from a ready or valid to another.
+//
+//   The kernel's decisions ask for the difference of rows alone: dl from the left to E, dr from the right, and left - right. Consecutive
+//   edge vertices are 0 or 1 rows and columns apart and a grid vertex a row above the one below it, so the answers of the next
+//   clock are comparisons of this clock's differences with small numbers, chosen by what is decided now: they are registers too.
+//     edge_here  (near, and E in column k)      near: the left stands on the edge, or dl <= 1
+//     start_dl   the same to P_(k+1), which is what the left of the next strip has
+//   strips ---[stream_fifo]--+
+//   edge ---[stream_fifo]--[next]--[edge]--[decide]--[step]--[walk_names]--[stream_fifo]-- out
+module side_walk
+  import formats_pkg::*;
+  import sweep_pkg::*;
+  import walk_pkg::*;
+(
+  input  logic         clk_i,
+  input  logic         rst_ni,
+  input  logic         strip_valid_i,
+  output logic         strip_ready_o,
+  input  strip_t       strip_i,
+  input  logic         edge_valid_i,
+  output logic         edge_ready_o,
+  input  edge_vertex_t edge_i,
+  output logic         out_valid_o,
+  input  logic         out_ready_i,
+  output walked_t      out_o
+);
+  typedef logic signed [17:0] rows_t;
+  // x <= m, for m of -2 to 3.
+  function automatic logic at_most(rows_t x, int m);
+    if (m < 0) at_most = x[17] && (m == -1 || x[2:0] <= 3'(8 + m) || !(&x[16:3]));
+    else at_most = x[17] || (x[16:3] == '0 && x[2:0] <= 3'(m));
+  endfunction
+
+  // ---- the next strip; E and the vertex after it
+  strip_t coming, strip_q;
+  edge_vertex_t head, next_q, edge_q;
+  logic coming_valid, head_valid, next_valid_q, edge_valid_q, start, pop;
+  logic [3:0] unused_strips, unused_vertices;
+  stream_fifo #(.T(strip_t), .Depth(8)) i_strips (
+    .clk_i,
+    .rst_ni,
+    .in_valid_i(strip_valid_i),
+    .in_ready_o(strip_ready_o),
+    .in_i(strip_i),
+    .out_valid_o(coming_valid),
+    .out_ready_i(start),
+    .out_o(coming),
+    .count_o(unused_strips)
+  );
+  stream_fifo #(.T(edge_vertex_t), .Depth(8)) i_vertices (
+    .clk_i,
+    .rst_ni,
+    .in_valid_i(edge_valid_i),
+    .in_ready_o(edge_ready_o),
+    .in_i(edge_i),
+    .out_valid_o(head_valid),
+    .out_ready_i(pop || !(edge_valid_q && next_valid_q)),
+    .out_o(head),
+    .count_o(unused_vertices)
+  );
+  always_ff @(posedge clk_i) begin
+    if (pop || !edge_valid_q) edge_q <= next_q;
+    if (pop || !edge_valid_q || !next_valid_q) next_q <= head;
+    if (!rst_ni) begin
+      edge_valid_q <= 1'b0;
+      next_valid_q <= 1'b0;
+    end else begin
+      if (pop || !edge_valid_q) edge_valid_q <= next_valid_q;
+      if (pop || !edge_valid_q || !next_valid_q) next_valid_q <= head_valid;
+    end
+  end
+
+  // ---- one step
+  // at_end: E is the end of the list, which is not among the vertices; here: E is in column k.
+  logic active_q, first_q, left_on_q, right_on_q, here_q, at_end_q, upright_last_q;
+  rows_t dl_q, dr_q, start_dl_q, left_right_q;
+  logic dl_0_q, dl_1_q, dr_0_q, dr_1_q, below_q, above_q;
+  logic edge_here, edge_there, fan, double_, go_left, go_right, advance, room, go;
+  logic left_on, right_on, here, done;
+  assign edge_here = here_q && (left_on_q || dl_1_q);
+  assign fan = strip_q.pointed && edge_here && edge_q.last;
+  assign double_ = edge_here && !fan && !edge_q.column && !edge_q.row;
+  always_comb begin
+    go_left = !fan && !double_ && (edge_here || !left_on_q);
+    go_right = !fan && !double_ && !right_on_q;
+    if (go_left && go_right) begin
+      if ((edge_here && dl_0_q) || below_q) go_right = 1'b0;
+      else if (above_q) go_left = 1'b0;
+    end
+    // The right sees what the left leaves.
+    if (strip_q.on_edge) edge_there = 1'b1;
+    else if (!edge_here) edge_there = !here_q && dr_1_q;
+    else edge_there = go_left && edge_q.column && (edge_q.row ? dr_0_q : dr_1_q);
+  end
+  assign advance = fan || double_ || (go_left && edge_here);
+  assign left_on = left_on_q || double_ || (go_left && edge_here);
+  assign right_on = right_on_q || (go_right && edge_there && (!strip_q.on_edge || upright_last_q));
+  assign here = here_q && !(advance && edge_q.column);
+  assign done = fan ? edge_q.before_end : left_on && right_on && !here;
+  assign go = active_q && room &&
+              (at_end_q || edge_q.before_end || edge_q.only_end || next_valid_q);
+  assign pop = go && (advance || (done && strip_q.last && edge_q.only_end && !at_end_q));
+
+  // ---- the next strip begins in the clock in which this one ends
+  logic free, begin_row, begin_column;
+  assign free = !active_q || (go && done);
+  assign start = free && coming_valid && (coming.point || (pop ? next_valid_q : edge_valid_q));
+  assign begin_row = !coming.point && (pop ? next_q.first_row : edge_q.first_row);
+  assign begin_column = !coming.point && (pop ? next_q.first_column : edge_q.first_column);
+
+  logic climb, take_edge, take_grid;
+  rows_t start_dl, begin_dl, dl, dr, left_right;
+  assign climb = go && advance && edge_q.row;
+  assign take_edge = go_left && edge_here;
+  assign take_grid = go_left && !edge_here;
+  assign start_dl = start_dl_q + rows_t'(climb);
+  assign dl = take_edge ? rows_t'(edge_q.row) : take_grid ? dl_q - 18'sd1 : dl_q + rows_t'(climb);
+  assign dr = dr_q + rows_t'(climb) - rows_t'({1'b0, go_right});
+  assign left_right = (take_edge ? dr_q : left_right_q + rows_t'({1'b0, take_grid})) -
+                      rows_t'({1'b0, go_right});
+  assign begin_dl = coming.from_corner ? rows_t'(begin_row) : start_dl;
+  always_ff @(posedge clk_i) begin
+    if (start) begin
+      strip_q <= coming;
+      first_q <= 1'b1;
+      left_on_q <= coming.from_corner;
+      right_on_q <= coming.pointed;
+      here_q <= coming.from_corner ? !begin_column && !coming.point : 1'b1;
+      at_end_q <= coming.point;
+      dl_q <= begin_dl;
+      dr_q <= begin_dl - rows_t'(coming.rows);
+      start_dl_q <= begin_dl - rows_t'(coming.rows);
+      left_right_q <= -rows_t'(coming.rows);
+      dl_0_q <= at_most(begin_dl, 0);
+      dl_1_q <= at_most(begin_dl, 1);
+      dr_0_q <= at_most(begin_dl - rows_t'(coming.rows), 0);
+      dr_1_q <= at_most(begin_dl - rows_t'(coming.rows), 1);
+      below_q <= coming.rows == 2'sd1;
+      above_q <= coming.rows == -2'sd1;
+    end else if (go) begin
+      first_q <= 1'b0;
+      left_on_q <= left_on;
+      right_on_q <= right_on;
+      here_q <= here;
+      if (advance && edge_q.before_end) at_end_q <= 1'b1;
+      start_dl_q <= start_dl;
+    end
+    if (!start && go) begin
+      dl_q <= dl;
+      dr_q <= dr;
+      left_right_q <= left_right;
+      dl_0_q <= at_most(dl, 0);
+      dl_1_q <= at_most(dl, 1);
+      dr_0_q <= at_most(dr, 0);
+      dr_1_q <= at_most(dr, 1);
+      below_q <= at_most(left_right, -1);
+      above_q <= !at_most(left_right, 0);
+    end
+    if (!rst_ni) active_q <= 1'b0;
+    else active_q <= start || !free;
+  end
+
+  // ---- the vertical edge at the end
+  steps_t upright_left_q, upright_i_q;
+  always_ff @(posedge clk_i) begin
+    if (start) begin
+      upright_left_q <= coming.upright_n;
+      upright_last_q <= coming.upright_n == 16'd1;
+      upright_i_q <= coming.upright.rising ? 16'd1 : coming.upright_n - 16'd1;
+    end else if (go && go_right) begin
+      upright_left_q <= upright_left_q - 16'd1;
+      upright_last_q <= upright_left_q == 16'd2;
+      upright_i_q <= strip_q.upright.rising ? upright_i_q + 16'd1 : upright_i_q - 16'd1;
+    end
+  end
+
+  // ---- what was decided, and the names that it is about
+  step_t step_q;
+  logic step_valid_q;
+  named_t named, put_out;
+  always_ff @(posedge clk_i) begin
+    step_valid_q <= go;
+    step_q <= '{
+        last: done && strip_q.last && strip_q.ends,
+        sub_last: done && strip_q.last,
+        strip_last: done,
+        moves: '{
+            flip: strip_q.flip,
+            first: first_q,
+            begins: first_q && strip_q.begins,
+            from_corner: first_q && strip_q.from_corner,
+            rows: strip_q.rows,
+            backward: strip_q.backward,
+            mirrored: strip_q.mirrored,
+            primary: strip_q.primary,
+            edge_way: edge_q.along,
+            edge_begins: edge_q.begins && !at_end_q,
+            upright: strip_q.upright,
+            on_edge: strip_q.on_edge,
+            fan: fan,
+            double_: double_,
+            go_left: go_left,
+            go_right: go_right,
+            edge_here: edge_here,
+            edge_there: edge_there,
+            advance: advance
+        },
+        left: strip_q.left,
+        right: strip_q.right,
+        left_s: strip_q.left_s,
+        left_t: strip_q.left_t,
+        right_s: strip_q.right_s,
+        right_t: strip_q.right_t,
+        edge_: at_end_q ? '{on_edge: 1'b0, number: strip_q.to, i: '0} : edge_q.name,
+        next: edge_q.before_end ? '{on_edge: 1'b0, number: strip_q.to, i: '0} : next_q.name,
+        upright: upright_last_q ? '{on_edge: 1'b0, number: strip_q.to, i: '0}
+                                : '{on_edge: 1'b1, number: strip_q.upright.number, i: upright_i_q}
+    };
+  end
+  walk_names i_names (.clk_i, .in_valid_i(step_valid_q), .in_i(step_q), .out_o(named));
+  stream_pipe #(.T(named_t), .Latency(2)) i_out (
+    .clk_i,
+    .rst_ni,
+    .in_valid_i(go),
+    .in_ready_o(room),
+    .data_i(named),
+    .out_valid_o,
+    .out_ready_i,
+    .out_o(put_out)
+  );
+
+  always_comb begin
+    out_o.last = put_out.last;
+    out_o.sub_last = put_out.sub_last;
+    out_o.strip_last = put_out.strip_last;
+    out_o.moves = put_out.moves;
+    out_o.out.quad = put_out.quad;
+    for (int i = 0; i < 4; i++) begin
+      automatic name_t v = put_out.v[i];
+      out_o.out.v[i].kind = v.kind;
+      out_o.out.v[i].number = v.kind[1] ? '0 : v.y[1:0];
+      out_o.out.v[i].i = v.kind[0] ? v.x : '0;
+      out_o.out.v[i].s = v.kind[1] ? v.x : '0;
+      out_o.out.v[i].t = v.kind[1] ? v.y : '0;
+    end
+  end
+  logic unused;
+  assign unused = ^{strip_q, next_q};
+endmodule
