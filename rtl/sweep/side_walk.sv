@@ -5,15 +5,15 @@
 //   out   out_valid_o, out_ready_i, out_o         the kernel's primitive, whether it is the last of its strip, its sub-triangle, its triangle,
 //                                                 and what a data path does to have its vertices
 //
-//   latency 3 to the first decision and 5 to its primitive, of the later of a strip and its edge's vertices; initiation interval 1, from strip
-//   to strip and from triangle to triangle too, as long as strips and vertices are there. Registered: all outputs, but for a gate behind
-//   out_o; no path from a ready or valid to another.
+//   latency 11 from the first vertex of an edge to the first primitive, 9 from its strip; then initiation interval 1, from strip to strip and
+//   from triangle to triangle too, as long as strips and vertices are there. Registered: all outputs, but for a gate behind out_o; no path
+//   from a ready or a valid to another.
 //
 //   The kernel's decisions ask for the difference of rows alone: dl from the left to E, dr from the right, and left - right. Consecutive
 //   edge vertices are 0 or 1 rows and columns apart and a grid vertex a row above the one below it, so the answers of the next
 //   clock are comparisons of this clock's differences with small numbers, chosen by what is decided now: they are registers too.
 //     edge_here  (near, and E in column k)      near: the left stands on the edge, or dl <= 1
-//     start_dl   the same to P_(k+1), which is what the left of the next strip has
+//     base       from P_k to E, from which those of the next strip begin
 //   strips ---[stream_fifo]--+
 //   edge ---[stream_fifo]--[next]--[edge]--[decide]--[step]--[walk_names]--[stream_fifo]-- out
 module side_walk
@@ -34,10 +34,15 @@ module side_walk
   output walked_t      out_o
 );
   typedef logic signed [17:0] rows_t;
-  // x <= m, for m of -2 to 3.
-  function automatic logic at_most(rows_t x, int m);
-    if (m < 0) at_most = x[17] && (m == -1 || x[2:0] <= 3'(8 + m) || !(&x[16:3]));
-    else at_most = x[17] || (x[16:3] == '0 && x[2:0] <= 3'(m));
+  // Bit m + 3: x <= m, for m of -3 to 3.
+  typedef logic [6:0] order_t;
+  function automatic order_t order(rows_t x);
+    automatic logic none = x[16:3] == '0;
+    automatic logic all = &x[16:3];
+    for (int m = 0; m < 4; m++) order[m+3] = x[17] || (none && x[2:0] <= 3'(m));
+    order[2] = x[17];
+    order[1] = x[17] && !(all && x[2:0] == 3'd7);
+    order[0] = x[17] && !(all && x[2:0] >= 3'd6);
   endfunction
 
   // ---- the next strip; E and the vertex after it
@@ -82,7 +87,7 @@ module side_walk
   // ---- one step
   // at_end: E is the end of the list, which is not among the vertices; here: E is in column k.
   logic active_q, first_q, left_on_q, right_on_q, here_q, at_end_q, upright_last_q;
-  rows_t dl_q, dr_q, start_dl_q, left_right_q;
+  rows_t dl_q, dr_q, base_q, left_right_q;
   logic dl_0_q, dl_1_q, dr_0_q, dr_1_q, below_q, above_q;
   logic edge_here, edge_there, fan, double_, go_left, go_right, advance, room, go;
   logic left_on, right_on, here, done;
@@ -117,17 +122,32 @@ module side_walk
   assign begin_row = !coming.point && (pop ? next_q.first_row : edge_q.first_row);
   assign begin_column = !coming.point && (pop ? next_q.first_column : edge_q.first_column);
 
+  // Differences after a strip that ends without an advance that climbs, and with one: from P_k to that after the coming strip.
   logic climb, take_edge, take_grid;
-  rows_t start_dl, begin_dl, dl, dr, left_right;
-  assign climb = go && advance && edge_q.row;
+  order_t dl_order, dr_order, base_order, left_right_order;
+  logic [1:0] begin_dl_0, begin_dl_1, begin_dr_0, begin_dr_1;
+  rows_t [1:0] begin_dl, begin_dr;
+  logic signed [2:0] rows_to, rows_over;
+  assign climb = advance && edge_q.row;
   assign take_edge = go_left && edge_here;
   assign take_grid = go_left && !edge_here;
-  assign start_dl = start_dl_q + rows_t'(climb);
-  assign dl = take_edge ? rows_t'(edge_q.row) : take_grid ? dl_q - 18'sd1 : dl_q + rows_t'(climb);
-  assign dr = dr_q + rows_t'(climb) - rows_t'({1'b0, go_right});
-  assign left_right = (take_edge ? dr_q : left_right_q + rows_t'({1'b0, take_grid})) -
-                      rows_t'({1'b0, go_right});
-  assign begin_dl = coming.from_corner ? rows_t'(begin_row) : start_dl;
+  assign dl_order = order(dl_q);
+  assign dr_order = order(dr_q);
+  assign base_order = order(base_q);
+  assign left_right_order = order(left_right_q);
+  assign rows_to = 3'(strip_q.rows);
+  assign rows_over = 3'(strip_q.rows) + 3'(coming.rows);
+  always_comb begin
+    for (int c = 0; c < 2; c++) begin
+      begin_dl[c] = base_q - rows_t'(rows_to) + rows_t'(c);
+      begin_dr[c] = base_q - rows_t'(rows_over) + rows_t'(c);
+      begin_dl_0[c] = base_order[3'(4'sd3+4'(rows_to)-4'(c))];
+      begin_dl_1[c] = base_order[3'(4'sd4+4'(rows_to)-4'(c))];
+      begin_dr_0[c] = base_order[3'(4'sd3+4'(rows_over)-4'(c))];
+      begin_dr_1[c] = base_order[3'(4'sd4+4'(rows_over)-4'(c))];
+    end
+  end
+
   always_ff @(posedge clk_i) begin
     if (start) begin
       strip_q <= coming;
@@ -136,34 +156,74 @@ module side_walk
       right_on_q <= coming.pointed;
       here_q <= coming.from_corner ? !begin_column && !coming.point : 1'b1;
       at_end_q <= coming.point;
-      dl_q <= begin_dl;
-      dr_q <= begin_dl - rows_t'(coming.rows);
-      start_dl_q <= begin_dl - rows_t'(coming.rows);
       left_right_q <= -rows_t'(coming.rows);
-      dl_0_q <= at_most(begin_dl, 0);
-      dl_1_q <= at_most(begin_dl, 1);
-      dr_0_q <= at_most(begin_dl - rows_t'(coming.rows), 0);
-      dr_1_q <= at_most(begin_dl - rows_t'(coming.rows), 1);
       below_q <= coming.rows == 2'sd1;
       above_q <= coming.rows == -2'sd1;
+      if (coming.from_corner) begin
+        dl_q <= rows_t'(begin_row);
+        base_q <= rows_t'(begin_row);
+        dr_q <= rows_t'(begin_row) - rows_t'(coming.rows);
+        dl_0_q <= !begin_row;
+        dl_1_q <= 1'b1;
+        dr_0_q <= begin_row ? coming.rows == 2'sd1 : coming.rows != -2'sd1;
+        dr_1_q <= !(begin_row && coming.rows == -2'sd1);
+      end else begin
+        dl_q <= begin_dl[go&&climb];
+        base_q <= begin_dl[go&&climb];
+        dr_q <= begin_dr[go&&climb];
+        dl_0_q <= begin_dl_0[go&&climb];
+        dl_1_q <= begin_dl_1[go&&climb];
+        dr_0_q <= begin_dr_0[go&&climb];
+        dr_1_q <= begin_dr_1[go&&climb];
+      end
     end else if (go) begin
       first_q <= 1'b0;
       left_on_q <= left_on;
       right_on_q <= right_on;
       here_q <= here;
       if (advance && edge_q.before_end) at_end_q <= 1'b1;
-      start_dl_q <= start_dl;
-    end
-    if (!start && go) begin
-      dl_q <= dl;
-      dr_q <= dr;
-      left_right_q <= left_right;
-      dl_0_q <= at_most(dl, 0);
-      dl_1_q <= at_most(dl, 1);
-      dr_0_q <= at_most(dr, 0);
-      dr_1_q <= at_most(dr, 1);
-      below_q <= at_most(left_right, -1);
-      above_q <= !at_most(left_right, 0);
+      if (climb) base_q <= base_q + 18'sd1;
+      // E is taken and the next one stands there; the left goes up; E moves on.
+      if (take_edge) begin
+        dl_q <= rows_t'(edge_q.row);
+        {dl_1_q, dl_0_q} <= {1'b1, !edge_q.row};
+      end else if (take_grid) begin
+        dl_q <= dl_q - 18'sd1;
+        {dl_1_q, dl_0_q} <= dl_order[5:4];
+      end else if (climb) begin
+        dl_q <= dl_q + 18'sd1;
+        {dl_1_q, dl_0_q} <= dl_order[3:2];
+      end
+      unique case ({climb, go_right})
+        2'b10: begin
+          dr_q <= dr_q + 18'sd1;
+          {dr_1_q, dr_0_q} <= dr_order[3:2];
+        end
+        2'b01: begin
+          dr_q <= dr_q - 18'sd1;
+          {dr_1_q, dr_0_q} <= dr_order[5:4];
+        end
+        default: ;
+      endcase
+      unique case ({take_edge, take_grid, go_right})
+        3'b100: begin
+          left_right_q <= dr_q;
+          {above_q, below_q} <= {!dr_order[3], dr_order[2]};
+        end
+        3'b101: begin
+          left_right_q <= dr_q - 18'sd1;
+          {above_q, below_q} <= {!dr_order[4], dr_order[3]};
+        end
+        3'b010: begin
+          left_right_q <= left_right_q + 18'sd1;
+          {above_q, below_q} <= {!left_right_order[2], left_right_order[1]};
+        end
+        3'b001: begin
+          left_right_q <= left_right_q - 18'sd1;
+          {above_q, below_q} <= {!left_right_order[4], left_right_order[3]};
+        end
+        default: ;
+      endcase
     end
     if (!rst_ni) active_q <= 1'b0;
     else active_q <= start || !free;
@@ -254,5 +314,5 @@ module side_walk
     end
   end
   logic unused;
-  assign unused = ^{strip_q, next_q};
+  assign unused = ^{strip_q, next_q, dl_order, dr_order, left_right_order};
 endmodule

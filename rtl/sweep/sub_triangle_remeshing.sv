@@ -4,7 +4,7 @@
 //                                          of the triangle follows. One that is not valid is the triangle of three equal corners.
 //   out   out_valid_o, out_ready_i, out_o  as side_walk.sv
 //
-//   latency 20 to the first primitive, then one a clock, also from sub-triangle to sub-triangle: initiation interval its primitives.
+//   latency 21 to the first primitive, then one a clock, also from sub-triangle to sub-triangle: initiation interval its primitives.
 //   What follows is set up while the one before is walked. Registered: all outputs, but for a gate behind out_o; no path from out_ready_i
 //   to in_ready_o
 //

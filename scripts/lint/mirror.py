@@ -82,13 +82,10 @@ NO_CIRCUIT = {
     "hls/sweep/near_clip.hpp": "to be built, issue 5",
     "hls/sweep/perspective_correction.hpp": "to be built, issue 5",
     "hls/sweep/perspective_preparation.hpp": "to be built, issue 5",
-    "hls/sweep/side_walk.hpp": "to be built, issue 5",
-    "hls/sweep/sub_triangle_remeshing.hpp": "to be built, issue 5",
-    "hls/sweep/sweep_line.hpp": "to be built, issue 5",
     "hls/sweep/z_table.hpp": "to be built, issue 5",
     "hls/sweep/walk_data.hpp": "part of the walk's circuit",
-    "hls/sweep/walk_registers.hpp": "part of the walk's circuit",
-    "hls/sweep/walked_edge.hpp": "part of the walk's circuit",
+    "hls/sweep/walk_registers.hpp": "part of the walk's circuit, walk_names",
+    "hls/sweep/walked_edge.hpp": "part of the walk's circuit, walk_edges and walk_strips",
 }
 
 

@@ -1,6 +1,7 @@
 // walked: what the walk's circuits put out, and what a data path makes of it.
 //   walked                       walked_t of rtl/sweep/walk_pkg.sv
 //   walked_by(kernel, in)        the kernel's primitives and where strips and sub-triangles end; of the moves it says nothing
+//   walked_vertex_word, walked_strip  edge_vertex_t and strip_t there
 //   same_names(rtl, hls)         all but the moves
 //   data_path(setup, data)       follows the moves step by step: data of the vertices of a primitive, additions alone
 #pragma once
@@ -34,6 +35,34 @@ struct walked {
   walked_moves moves;
   bool strip_last, sub_last, last;
   RELIEVO_FIELDS(out, moves, strip_last, sub_last, last)
+};
+
+struct walked_border {
+  hls::fixed<formats::steps> i;
+  hls::two_bits number;
+  bool on_edge;
+  RELIEVO_FIELDS(i, number, on_edge)
+};
+struct walked_vertex_word {
+  bool first_column, first_row, column, row, only_end, before_end, last, begins;
+  walked_way along;
+  walked_border name;
+  RELIEVO_FIELDS(first_column, first_row, column, row, only_end, before_end, last, begins, along, name)
+};
+struct walked_strip_kind {
+  bool flip, mirrored, backward, on_edge, pointed, ends, last, from_corner, begins, point;
+  RELIEVO_FIELDS(flip, mirrored, backward, on_edge, pointed, ends, last, from_corner, begins, point)
+};
+struct walked_strip {
+  hls::fixed<formats::steps> upright_n;
+  walked_way upright;
+  hls::fixed<formats::grid> right_t, right_s, left_t, left_s;
+  walked_border right, left;
+  hls::two_bits to;
+  walked_way primary;
+  hls::fixed<format<2, 2, true>> rows;
+  walked_strip_kind kind;
+  RELIEVO_FIELDS(upright_n, upright, right_t, right_s, left_t, left_s, right, left, to, primary, rows, kind)
 };
 
 inline testing::AssertionResult same_names(walked const& rtl, walked const& hls) {
