@@ -15,7 +15,7 @@
 //     edge_here  (near, and E in column k)      near: the left stands on the edge, or dl <= 1
 //     base       from P_k to E, from which those of the next strip begin
 //   strips ---[stream_fifo]--+
-//   edge ---[stream_fifo]--[next]--[edge]--[decide]--[step]--[walk_names]--[stream_fifo]-- out
+//   edge ---[stream_fifo]--[next]--[edge]--[decide]--[walk_output]-- out
 module side_walk
   import formats_pkg::*;
   import sweep_pkg::*;
@@ -46,16 +46,28 @@ module side_walk
   endfunction
 
   // ---- the next strip; E and the vertex after it
-  strip_t coming, strip_q;
+  // A decision needs little of a strip; its names wait until they are put together, a clock later.
+  strip_control_t coming, strip_q, control_in;
+  assign control_in = '{
+      point: strip_i.point,
+      from_corner: strip_i.from_corner,
+      last: strip_i.last,
+      pointed: strip_i.pointed,
+      on_edge: strip_i.on_edge,
+      rows: strip_i.rows,
+      upright_n: strip_i.upright_n,
+      upright_rising: strip_i.upright.rising
+  };
+  assign strip_ready_o = control_ready && names_ready;
   edge_vertex_t head, next_q, edge_q;
-  logic coming_valid, head_valid, next_valid_q, edge_valid_q, start, pop;
+  logic control_ready, names_ready, coming_valid, head_valid, next_valid_q, edge_valid_q, start, pop;
   logic [3:0] unused_strips, unused_vertices;
-  stream_fifo #(.T(strip_t), .Depth(8)) i_strips (
+  stream_fifo #(.T(strip_control_t), .Depth(8)) i_strips (
     .clk_i,
     .rst_ni,
-    .in_valid_i(strip_valid_i),
-    .in_ready_o(strip_ready_o),
-    .in_i(strip_i),
+    .in_valid_i(strip_valid_i && names_ready),
+    .in_ready_o(control_ready),
+    .in_i(control_in),
     .out_valid_o(coming_valid),
     .out_ready_i(start),
     .out_o(coming),
@@ -139,8 +151,11 @@ module side_walk
   assign rows_over = 3'(strip_q.rows) + 3'(coming.rows);
   always_comb begin
     for (int c = 0; c < 2; c++) begin
-      begin_dl[c] = base_q - rows_t'(rows_to) + rows_t'(c);
-      begin_dr[c] = base_q - rows_t'(rows_over) + rows_t'(c);
+      automatic logic signed [3:0] by_dl, by_dr;
+      by_dl = 4'(c) - 4'(rows_to);
+      by_dr = 4'(c) - 4'(rows_over);
+      begin_dl[c] = base_q + rows_t'(by_dl);
+      begin_dr[c] = base_q + rows_t'(by_dr);
       begin_dl_0[c] = base_order[3'(4'sd3+4'(rows_to)-4'(c))];
       begin_dl_1[c] = base_order[3'(4'sd4+4'(rows_to)-4'(c))];
       begin_dr_0[c] = base_order[3'(4'sd3+4'(rows_over)-4'(c))];
@@ -235,84 +250,51 @@ module side_walk
     if (start) begin
       upright_left_q <= coming.upright_n;
       upright_last_q <= coming.upright_n == 16'd1;
-      upright_i_q <= coming.upright.rising ? 16'd1 : coming.upright_n - 16'd1;
+      upright_i_q <= coming.upright_rising ? 16'd1 : coming.upright_n - 16'd1;
     end else if (go && go_right) begin
       upright_left_q <= upright_left_q - 16'd1;
       upright_last_q <= upright_left_q == 16'd2;
-      upright_i_q <= strip_q.upright.rising ? upright_i_q + 16'd1 : upright_i_q - 16'd1;
+      upright_i_q <= strip_q.upright_rising ? upright_i_q + 16'd1 : upright_i_q - 16'd1;
     end
   end
 
   // ---- what was decided, and the names that it is about
-  step_t step_q;
+  decided_t decided_q;
   logic step_valid_q;
-  named_t named, put_out;
   always_ff @(posedge clk_i) begin
-    step_valid_q <= go;
-    step_q <= '{
-        last: done && strip_q.last && strip_q.ends,
-        sub_last: done && strip_q.last,
-        strip_last: done,
-        moves: '{
-            flip: strip_q.flip,
-            first: first_q,
-            begins: first_q && strip_q.begins,
-            from_corner: first_q && strip_q.from_corner,
-            rows: strip_q.rows,
-            backward: strip_q.backward,
-            mirrored: strip_q.mirrored,
-            primary: strip_q.primary,
-            edge_way: edge_q.along,
-            edge_begins: edge_q.begins && !at_end_q,
-            upright: strip_q.upright,
-            on_edge: strip_q.on_edge,
-            fan: fan,
-            double_: double_,
-            go_left: go_left,
-            go_right: go_right,
-            edge_here: edge_here,
-            edge_there: edge_there,
-            advance: advance
-        },
-        left: strip_q.left,
-        right: strip_q.right,
-        left_s: strip_q.left_s,
-        left_t: strip_q.left_t,
-        right_s: strip_q.right_s,
-        right_t: strip_q.right_t,
-        edge_: at_end_q ? '{on_edge: 1'b0, number: strip_q.to, i: '0} : edge_q.name,
-        next: edge_q.before_end ? '{on_edge: 1'b0, number: strip_q.to, i: '0} : next_q.name,
-        upright: upright_last_q ? '{on_edge: 1'b0, number: strip_q.to, i: '0}
-                                : '{on_edge: 1'b1, number: strip_q.upright.number, i: upright_i_q}
+    step_valid_q <= rst_ni && go;
+    decided_q <= '{
+        first: first_q,
+        done: done,
+        last: strip_q.last,
+        fan: fan,
+        double_: double_,
+        go_left: go_left,
+        go_right: go_right,
+        edge_here: edge_here,
+        edge_there: edge_there,
+        advance: advance,
+        at_end: at_end_q,
+        edge_: edge_q,
+        next: next_q.name,
+        upright_last: upright_last_q,
+        upright_i: upright_i_q
     };
   end
-  walk_names i_names (.clk_i, .in_valid_i(step_valid_q), .in_i(step_q), .out_o(named));
-  stream_pipe #(.T(named_t), .Latency(2)) i_out (
+  walk_output i_output (
     .clk_i,
     .rst_ni,
-    .in_valid_i(go),
-    .in_ready_o(room),
-    .data_i(named),
+    .strip_valid_i(strip_valid_i && control_ready),
+    .strip_ready_o(names_ready),
+    .strip_i,
+    .go_i(go),
+    .room_o(room),
+    .in_valid_i(step_valid_q),
+    .in_i(decided_q),
     .out_valid_o,
     .out_ready_i,
-    .out_o(put_out)
+    .out_o
   );
-
-  always_comb begin
-    out_o.last = put_out.last;
-    out_o.sub_last = put_out.sub_last;
-    out_o.strip_last = put_out.strip_last;
-    out_o.moves = put_out.moves;
-    out_o.out.quad = put_out.quad;
-    for (int i = 0; i < 4; i++) begin
-      automatic name_t v = put_out.v[i];
-      out_o.out.v[i].kind = v.kind;
-      out_o.out.v[i].number = v.kind[1] ? '0 : v.y[1:0];
-      out_o.out.v[i].i = v.kind[0] ? v.x : '0;
-      out_o.out.v[i].s = v.kind[1] ? v.x : '0;
-      out_o.out.v[i].t = v.kind[1] ? v.y : '0;
-    end
-  end
   logic unused;
   assign unused = ^{strip_q, next_q, dl_order, dr_order, left_right_order};
 endmodule

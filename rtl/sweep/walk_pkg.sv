@@ -148,7 +148,53 @@ package walk_pkg;
     primitive_t out;
   } walked_t;
 
-  // ---- within side_walk: what it hands to walk_names, and what comes of it
+  // ---- within side_walk: of a strip what decides, and the names; what was decided; what walk_names gets, and what comes of it
+  typedef struct packed {
+    logic              point;
+    logic              from_corner;
+    logic              last;
+    logic              pointed;
+    logic              on_edge;
+    logic signed [1:0] rows;
+    steps_t            upright_n;
+    logic              upright_rising;
+  } strip_control_t;
+  typedef struct packed {
+    logic              begins;
+    logic              from_corner;
+    logic              ends;
+    logic              on_edge;
+    logic              backward;
+    logic              mirrored;
+    logic              flip;
+    logic signed [1:0] rows;
+    way_t              primary;
+    way_t              upright;
+    logic [1:0]        to;
+    border_t           left;
+    border_t           right;
+    grid_t             left_s;
+    grid_t             left_t;
+    grid_t             right_s;
+    grid_t             right_t;
+  } strip_names_t;
+  typedef struct packed {
+    logic         first;
+    logic         done;
+    logic         last;
+    logic         fan;
+    logic         double_;
+    logic         go_left;
+    logic         go_right;
+    logic         edge_here;
+    logic         edge_there;
+    logic         advance;
+    logic         at_end;
+    edge_vertex_t edge_;
+    border_t      next;
+    logic         upright_last;
+    steps_t       upright_i;
+  } decided_t;
   // A step: left, right, and the grid above them are of the strip's beginning and looked at in its first step.
   typedef struct packed {
     logic    last;
