@@ -44,9 +44,9 @@ module side_walk
     order[1] = x[17] && !(all && x[2:0] == 3'd7);
     order[0] = x[17] && !(all && x[2:0] >= 3'd6);
   endfunction
-
   // ---- the next strip; E and the vertex after it
-  // A decision needs little of a strip; its names wait until they are put together, a clock later.
+  // A decision needs little of a strip; its names wait in walk_output.
+  logic control_ready, names_ready;
   strip_control_t coming, strip_q, control_in;
   assign control_in = '{
       point: strip_i.point,
@@ -60,7 +60,7 @@ module side_walk
   };
   assign strip_ready_o = control_ready && names_ready;
   edge_vertex_t head, next_q, edge_q;
-  logic control_ready, names_ready, coming_valid, head_valid, next_valid_q, edge_valid_q, start, pop;
+  logic coming_valid, head_valid, next_valid_q, edge_valid_q, start, pop;
   logic [3:0] unused_strips, unused_vertices;
   stream_fifo #(.T(strip_control_t), .Depth(8)) i_strips (
     .clk_i,
