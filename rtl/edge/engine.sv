@@ -10,7 +10,7 @@
 //
 //   A triangle goes round: queue, get_triangle, the lanes, tessellate, and its children to the queue. A child whose edges are all settled
 //   is finished when it is born and goes out at once: settled edges cost nothing. A base triangle goes round once more, for its vertices.
-//   latency of one round 181 clocks with memories of latency 1, to the first of what comes of a triangle; initiation interval: one unsettled
+//   latency of one round 185 clocks with memories of latency 1, to the first of what comes of a triangle; initiation interval: one unsettled
 //   edge a clock and lane. Registered: all outputs; within, dispatch, collect and results are gates between FIFOs, and wait until all that
 //   they need is there
 //

@@ -138,6 +138,7 @@ constexpr int front = 6 + fifo;
 constexpr int beside_the_map_tests = fifo, summed_height_test = 63;  // and the memory
 constexpr int new_vertex = 25 + fifo;
 constexpr int beside_the_maps = fifo, displace_vertex = 31;  // and the memory
+constexpr int registers = 4;                                 // around the two joins of a lane, and where it forks
 constexpr int back = 37 + fifo;
 constexpr int tessellate = fifo + 2;
 constexpr int queue = 3;
@@ -145,7 +146,7 @@ constexpr int queue = 3;
 constexpr int ends = 6 + fifo;
 
 constexpr int round_of(int map_tests, int maps) {
-  return get_triangle + three_edges + front + map_tests + new_vertex + maps + back + tessellate;
+  return get_triangle + three_edges + front + map_tests + new_vertex + maps + registers + back + tessellate;
 }
 
 // A base triangle goes round for its vertices, and once more for its edges where generations are left. Nothing splits.
