@@ -67,8 +67,8 @@ struct check_report {
 };
 
 struct check_options {
-  bool culled = false;      // triangles were culled on purpose: edges used once and missing area are no faults
-  std::vector<bool> loose;  // the same for single base triangles (exact check alone); empty: for none
+  bool culled = false;           // triangles were culled on purpose: edges used once and missing area are no faults
+  std::vector<bool> loose = {};  // the same for single base triangles (exact check alone); empty: for none
 };
 
 check_report check_output(std::vector<golden::triangle_out> const& out, std::vector<golden::triangle> const& base,
