@@ -106,6 +106,7 @@ class sweep_engine {
       ++count_.primitives;
       count_.quads += walked.quad ? 1 : 0;
       std::vector<named_vertex> now;
+      now.reserve(4);
       for (int i = 0; i < (walked.quad ? 4 : 3); ++i) now.push_back({walked.v[i], vertex_of(walked.v[i], before)});
       if (walked.quad) {
         put_seen(now[0], now[1], now[3], put);
