@@ -4,8 +4,9 @@
 //   out   out_valid_o, out_ready_i, out_o
 //         count_o  words held, of 0..Depth
 //
-//   latency 3, initiation interval 1; all outputs registered: no path from out_ready_i to in_ready_o, none from in_valid_i to out_valid_o.
-//   Whether the memory is full or holds a word are registers too, not comparisons of a count. out_ready_i enables the head's register.
+//   latency 3, initiation interval 1; registered: all outputs but count_o, a sum of registers. No path from out_ready_i to in_ready_o, none
+//   from in_valid_i to out_valid_o. Whether the memory is full or holds a word are registers too, not comparisons of a count. out_ready_i
+//   enables the head's register; counters hear of it a clock later, so that it comes to no carry.
 //
 //   memory -> read_q -> head_q -> out    The memory has a registered read port, which a block memory is slow behind: what it puts out goes
 //                                        into the head's register and nowhere else. So that a word can leave every clock, the word behind
@@ -31,10 +32,11 @@ module stream_fifo #(
   localparam bit Small = Depth <= 16;
 
   logic [PlaceBits-1:0] write_place_q, read_place_q;
-  logic [CountBits-1:0] count_q;    // words held in all
-  logic [CountBits-1:0] stored_q;   // words in the memory that can be read
-  logic ready_q;                    // count_q is less than Depth
-  logic some_q;                     // stored_q is not 0
+  // Words held in all, and words in the memory that can be read: as they were a clock ago, and what has happened since.
+  logic [CountBits-1:0] counted_q, stored_q, stored;
+  logic wrote_q, left_q, added_q, taken_q;
+  logic ready_q;                    // count_o is less than Depth
+  logic some_q;                     // stored is not 0
   T head_q, behind;                 // behind: what goes into the head
   logic head_valid_q, behind_valid;
 
@@ -51,7 +53,8 @@ module stream_fifo #(
 
   assign out_valid_o = head_valid_q;
   assign out_o = head_q;
-  assign count_o = count_q;
+  assign count_o = counted_q + CountBits'(wrote_q) - CountBits'(left_q);
+  assign stored = stored_q + CountBits'(added_q) - CountBits'(taken_q);
 
   // Read and write never meet at a place: nothing is read from an empty memory nor written to a full one. No bypass is wanted.
   if (Small) begin : gen_small
@@ -90,18 +93,26 @@ module stream_fifo #(
     if (!rst_ni) begin
       write_place_q <= '0;
       read_place_q <= '0;
-      count_q <= '0;
+      counted_q <= '0;
+      wrote_q <= 1'b0;
+      left_q <= 1'b0;
       stored_q <= '0;
+      added_q <= 1'b0;
+      taken_q <= 1'b0;
       ready_q <= 1'b1;
       some_q <= 1'b0;
       head_valid_q <= 1'b0;
     end else begin
       if (write) write_place_q <= after(write_place_q);
       if (read) read_place_q <= after(read_place_q);
-      count_q <= count_q + CountBits'(write) - CountBits'(leave);
-      stored_q <= stored_q + CountBits'(written) - CountBits'(read);
-      ready_q <= leave || (ready_q && !(write && count_q == CountBits'(Depth - 1)));
-      some_q <= written || (some_q && !(read && stored_q == CountBits'(1)));
+      counted_q <= count_o;
+      wrote_q <= write;
+      left_q <= leave;
+      stored_q <= stored;
+      added_q <= written;
+      taken_q <= read;
+      ready_q <= leave || (ready_q && !(write && count_o == CountBits'(Depth - 1)));
+      some_q <= written || (some_q && !(read && stored == CountBits'(1)));
       if (follow) head_valid_q <= behind_valid;
     end
   end

@@ -139,14 +139,19 @@ module edge_maps
     .out_valid_o(waiting_valid), .out_ready_i(waiting_leaves), .out_o(waiting),
     .count_o(unused_waiting_count)
   );
-  // Its reader comes long after it.
-  logic unused_base_valid;
+  // Its reader comes long after it, from the lane's far end.
+  base_frame_t base;
+  logic        base_valid, base_leaves, unused_base_valid;
   logic [$clog2(BaseDepth+1)-1:0] unused_base_count;
   stream_fifo #(.T(base_frame_t), .Depth(BaseDepth)) i_base (
     .clk_i, .rst_ni,
     .in_valid_i(far_base_valid), .in_ready_o(base_ready), .in_i(far_base),
-    .out_valid_o(unused_base_valid), .out_ready_i(base_leaves_i), .out_o(base_o),
+    .out_valid_o(base_valid), .out_ready_i(base_leaves), .out_o(base),
     .count_o(unused_base_count)
+  );
+  stream_register #(.T(base_frame_t)) i_near_base (
+    .clk_i, .rst_ni, .in_valid_i(base_valid), .in_ready_o(base_leaves), .in_i(base),
+    .out_valid_o(unused_base_valid), .out_ready_i(base_leaves_i), .out_o(base_o)
   );
 
   // ---- the join
