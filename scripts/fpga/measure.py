@@ -15,9 +15,11 @@ usage: measure.py all | MODULE...        a table, and out/fpga.json
 import hashlib
 import inspect
 import json
+import os
 import re
 import subprocess
 import sys
+from concurrent.futures import ThreadPoolExecutor, as_completed
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "lint"))
@@ -246,16 +248,22 @@ def main():
     collected = root / "out/fpga.json"
     collected.parent.mkdir(exist_ok=True)
     old = json.loads(collected.read_text()) if collected.is_file() else {}
-    for name in wanted:
-        mark = stamp(root, known[name], parameters[name])
-        if old.get(name, {}).get("stamp") != mark:
-            folder = Path("out/fpga") / re.sub(r"\W+", "_", name)
-            try:
-                row = {**measure(root, known[name], folder, parameters[name]), "latency": latency(root, known[name]), "stamp": mark}
-            except Refused as why:
-                row = {"refused": str(why)}
-            old[name] = row
+    marks = {name: stamp(root, known[name], parameters[name]) for name in wanted}
+
+    def row_of(name):
+        folder = Path("out/fpga") / re.sub(r"\W+", "_", name)
+        try:
+            return {**measure(root, known[name], folder, parameters[name]), "latency": latency(root, known[name]), "stamp": marks[name]}
+        except Refused as why:
+            return {"refused": str(why)}
+
+    # The tools run one to a core; each takes one.
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        rows = {pool.submit(row_of, name): name for name in wanted if old.get(name, {}).get("stamp") != marks[name]}
+        for row in as_completed(rows):
+            old[rows[row]] = row.result()
             collected.write_text(json.dumps({key: old[key] for key in sorted(old) if key in known}, indent=1) + "\n")
+    for name in wanted:
         if "refused" in old[name]:
             failed += 1
             print(f"{known[name]}: refused: {old[name]['refused']}", flush=True)
