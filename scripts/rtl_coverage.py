@@ -10,7 +10,7 @@ Holes are closed by a test or explained in tests/cover/explained.toml, one table
   [[hole]]
   module = "engine"                 its file without .sv, or a list of them
   point = "flight_full"             or line = 'default: ;' (the text of the line that the block begins at),
-                                    or signal = "index_o[1*]", bits of a signal, * for anything
+                                    or signal = "index_o[1*]", bits of a signal, * for anything, or a list of such
   why = "..."
 Bits that are explained are left out of the table. With --check a hole that is not explained is a finding, and so is an explanation of a line
 or point that is no hole, or of bits that are not there: which bits of a wide signal stay holes depends on the number of vectors.
@@ -70,12 +70,12 @@ class Explanations:
             kinds = [kind for kind in HEADS if kind in hole]
             if len(kinds) != 1 or not hole.get("module") or not hole.get("why") or len(hole) != 3:
                 sys.exit(f"{path}: a hole has a module, one of line, signal or point, and a why: {hole}")
-            for module in hole["module"] if isinstance(hole["module"], list) else [hole["module"]]:
-                key = module, kinds[0], hole[kinds[0]]
+            modules, names = (of if isinstance(of, list) else [of] for of in (hole["module"], hole[kinds[0]]))
+            for key in ((module, kinds[0], name) for module in modules for name in names):
                 self.why[key] = hole["why"]
                 if kinds[0] == "signal":
                     # Brackets are those of bits, so only * stands for something else.
-                    self.patterns[module].append((re.compile(".*".join(map(re.escape, key[2].split("*")))), key))
+                    self.patterns[key[0]].append((re.compile(".*".join(map(re.escape, key[2].split("*")))), key))
 
     def of(self, module, kind, what):
         keys = [(module, kind, what)]

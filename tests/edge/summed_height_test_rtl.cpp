@@ -109,6 +109,16 @@ TYPED_TEST(summed_height_test, rtl_equals_hls) {
   EXPECT_LT(counts.positive, counts.seen * 9 / 10);
 }
 
+// Whoever reads the answers is slow for so long that they wait back to the lookups.
+TYPED_TEST(summed_height_test, rtl_equals_hls_for_a_slow_reader) {
+  generator g("slow");
+  tally counts;
+  const test_map map(16, 24, fill::random, g);
+  const hls::map_regs regs = map.regs(false, false);
+  clocks_of<TypeParam>(
+      {0, 14, 1, 1}, map, regs, [&](vector& v, generator& to) { edge_within(v.in, regs, to); }, 2000, counts);
+}
+
 // One edge again and again, at its own threshold and an LSB beside it, in both modes.
 TYPED_TEST(summed_height_test, rtl_equals_hls_at_its_thresholds) {
   generator g("threshold");
